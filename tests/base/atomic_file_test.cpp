@@ -1,0 +1,89 @@
+// Outputs that exist only when they are whole.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/atomic_file.h"
+
+#include "base/error.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace eikonal;
+namespace fs = std::filesystem;
+
+namespace {
+
+class AtomicFileTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "eikonal-XXXXXX").string();
+        folder = ::mkdtemp(pattern.data());
+    }
+    void TearDown() override { fs::remove_all(folder); }
+    std::string at(const std::string& name) const { return (folder / name).string(); }
+    std::string read(const std::string& name) const {
+        std::ifstream in(at(name));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    size_t files() const {
+        return static_cast<size_t>(std::distance(fs::directory_iterator(folder), {}));
+    }
+    ExitStatus failure(const std::string& path, bool noClobber = false) const {
+        try {
+            AtomicFile file(path, noClobber);
+            file.stream() << "new";
+            file.commit();
+        } catch (const Error& error) {
+            return error.status();
+        }
+        return ExitStatus::done;
+    }
+    fs::path folder;
+};
+
+} // namespace
+
+TEST_F(AtomicFileTest, ExistsOnlyAfterCommit) {
+    AtomicFile file(at("a.txt"));
+    file.stream() << "hello";
+    EXPECT_FALSE(fs::exists(at("a.txt")));
+    file.commit();
+    EXPECT_EQ(read("a.txt"), "hello");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFileTest, DroppedLeavesTheOldFileAndNoTemporary) {
+    std::ofstream(at("a.txt")) << "old";
+    { AtomicFile(at("a.txt")).stream() << "new"; }
+    EXPECT_EQ(read("a.txt"), "old");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFileTest, FollowsSymbolicLinks) {
+    std::ofstream(at("real.txt")) << "old";
+    fs::create_symlink("real.txt", at("link.txt"));
+    AtomicFile file(at("link.txt"));
+    file.stream() << "new";
+    file.commit();
+    EXPECT_TRUE(fs::is_symlink(at("link.txt")));
+    EXPECT_EQ(read("real.txt"), "new");
+}
+
+TEST_F(AtomicFileTest, SeeksForWritersThatPatchTheirHeaders) {
+    AtomicFile file(at("a.txt"));
+    file.stream() << "hello";
+    file.stream().seekp(1);
+    file.stream() << "u";
+    file.commit();
+    EXPECT_EQ(read("a.txt"), "hullo");
+}
+
+TEST_F(AtomicFileTest, EachFailureHasItsStatus) {
+    std::ofstream(at("a.txt")) << "old";
+    EXPECT_EQ(failure(at("a.txt"), true), ExitStatus::cantCreate);
+    EXPECT_EQ(read("a.txt"), "old");
+    EXPECT_EQ(failure(at("none/a.txt")), ExitStatus::cantCreate);
+    EXPECT_EQ(failure(folder.string()), ExitStatus::cantCreate);
+    EXPECT_EQ(failure("/dev/full"), ExitStatus::io);
+    EXPECT_EQ(failure("/dev/null"), ExitStatus::done);
+}
