@@ -1,0 +1,182 @@
+// Which EXR files are taken, how their windows are read, and what is refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "image/exr.h"
+#include "image/picture.h"
+#include "scratch.h"
+
+#include <Imath/half.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfEnvmapAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace eikonal;
+using namespace eikonal::image;
+
+namespace {
+
+class ExrInputTest : public ScratchTest {
+protected:
+    /// A file of half-float channels whose samples are 1, 2, 3... in the data window's order.
+    void halfFile(const std::string& name, Imf::Header header,
+                  const std::vector<std::string>& channels) const {
+        const Imath::Box2i window = header.dataWindow();
+        const size_t width = static_cast<size_t>(window.size().x + 1);
+        std::vector<half> samples(width * static_cast<size_t>(window.size().y + 1));
+        for (size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<float>(i + 1);
+        Imf::FrameBuffer planes;
+        for (const std::string& channel : channels) {
+            header.channels().insert(channel, Imf::Channel(Imf::HALF));
+            planes.insert(channel, Imf::Slice::Make(Imf::HALF, samples.data(), window, sizeof(half),
+                                                    sizeof(half) * width));
+        }
+        if (header.hasTileDescription()) {
+            Imf::TiledOutputFile file(at(name).c_str(), header);
+            file.setFrameBuffer(planes);
+            file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+        } else {
+            Imf::OutputFile file(at(name).c_str(), header);
+            file.setFrameBuffer(planes);
+            file.writePixels(window.size().y + 1);
+        }
+    }
+};
+
+const std::vector<std::string> kRgb = {"R", "G", "B"};
+
+} // namespace
+
+TEST_F(ExrInputTest, TheDataWindowIsPlacedInTheDisplayWindow) {
+    // Display (0,0)-(3,2); data (-1,1)-(2,4): one column and two rows of it lie outside.
+    halfFile("a.exr", Imf::Header(Imath::Box2i({0, 0}, {3, 2}), Imath::Box2i({-1, 1}, {2, 4})),
+             kRgb);
+    const Image image = readExr(at("a.exr"));
+    ASSERT_EQ(image.width, 4);
+    ASSERT_EQ(image.height, 3);
+    const std::vector<float> expected = {0, 0, 0, 0, 2, 3, 4, 0, 6, 7, 8, 0};
+    for (const std::string& channel : kRgb)
+        EXPECT_EQ(interleaved(image, {channel}), expected) << channel;
+}
+
+TEST_F(ExrInputTest, WindowsThatDoNotMeetGiveBlack) {
+    halfFile("a.exr", Imf::Header(Imath::Box2i({0, 0}, {1, 1}), Imath::Box2i({5, 7}, {6, 8})),
+             kRgb);
+    EXPECT_EQ(interleaved(readExr(at("a.exr")), {"G"}), std::vector<float>(4, 0.f));
+}
+
+TEST_F(ExrInputTest, AnEnvironmentMapIsItsDataWindow) {
+    Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), Imath::Box2i({2, 3}, {3, 3}));
+    Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);
+    halfFile("a.exr", header, kRgb);
+    const Image image = readEnvironment(at("a.exr"));
+    EXPECT_EQ(image.envmap, Envmap::latLong);
+    ASSERT_EQ(image.width, 2);
+    ASSERT_EQ(image.height, 1);
+    EXPECT_EQ(interleaved(image, {"B"}), (std::vector<float>{1, 2}));
+
+    Imf::Header cube(1, 6);
+    Imf::addEnvmap(cube, Imf::ENVMAP_CUBE);
+    halfFile("cube.exr", cube, kRgb);
+    expectError(ExitStatus::data, {"cube.exr", "cube map", "lat-long"},
+                [&] { readEnvironment(at("cube.exr")); });
+}
+
+TEST_F(ExrInputTest, TiledFilesAndFilesFromBottomToTopReadAlike) {
+    Imf::Header tiled(50, 40);
+    tiled.setTileDescription(Imf::TileDescription(16, 16));
+    halfFile("tiled.exr", tiled, kRgb);
+    Imf::Header upwards(50, 40);
+    upwards.lineOrder() = Imf::DECREASING_Y;
+    upwards.compression() = Imf::PIZ_COMPRESSION;
+    halfFile("scan.exr", upwards, kRgb);
+    const Image a = readExr(at("tiled.exr")), b = readExr(at("scan.exr"));
+    EXPECT_EQ(a.pixels, b.pixels);
+    EXPECT_EQ(a.pixels[50 * 40 - 1], 2000.f); // exact: halves hold even integers up to 4096
+}
+
+TEST_F(ExrInputTest, LuminanceAloneIsSpreadOverAnEnvironment) {
+    halfFile("y.exr", Imf::Header(2, 1), {"Y"});
+    EXPECT_EQ(readExr(at("y.exr")).channels, std::vector<std::string>{"Y"});
+    EXPECT_EQ(interleaved(readEnvironment(at("y.exr")), kRgb),
+              (std::vector<float>{1, 1, 1, 2, 2, 2}));
+}
+
+TEST_F(ExrInputTest, WhatIsNoPictureIsRefusedByName) {
+    expectError(ExitStatus::missing, {"none.exr", "No such file"},
+                [&] { readExr(at("none.exr")); });
+    expectError(ExitStatus::missing, {"directory"}, [&] { readExr(folder.string()); });
+    put("garbage.exr", std::string(5000, 'x'));
+    expectError(ExitStatus::data, {"garbage.exr", "no OpenEXR"},
+                [&] { readExr(at("garbage.exr")); });
+    put("empty.exr", "");
+    expectError(ExitStatus::data, {"empty.exr"}, [&] { readExr(at("empty.exr")); });
+    exr("depth.exr", numbered(3, 3, {"Z", "steps", "R", "G"}));
+    expectError(ExitStatus::data, {"depth.exr", "R, G and B", "Z", "steps"},
+                [&] { readExr(at("depth.exr")); });
+    exr("chroma.exr", numbered(3, 3, {"Y", "RY", "BY"}));
+    expectError(ExitStatus::data, {"chroma"}, [&] { readExr(at("chroma.exr")); });
+}
+
+TEST_F(ExrInputTest, AHeaderOfAbsurdSizeTakesNoMemory) {
+    // The two y limits of both windows, patched into a small file: 100 000 rows that aren't there.
+    exr("a.exr", numbered(64, 4, kRgb));
+    std::string bytes = bytesOf("a.exr");
+    for (const char* name : {"dataWindow", "displayWindow"}) {
+        // name, 0, "box2i", 0, size (4), x0 y0 x1 y1
+        const size_t at = bytes.find(name) + std::string(name).size() + 1 + 6 + 4 + 12;
+        const int rows = 99999;
+        std::memcpy(bytes.data() + at, &rows, sizeof rows);
+    }
+    put("tall.exr", bytes);
+    expectError(ExitStatus::data, {"tall.exr"}, [&] { readExr(at("tall.exr")); });
+}
+
+TEST_F(ExrInputTest, DamagedFilesAreDataErrorsOrStillPictures) {
+    exr("a.exr", numbered(40, 40, {"R", "G", "B", "A"}));
+    const std::string whole = bytesOf("a.exr");
+    // Truncated anywhere: the last block is always missing, so never a picture.
+    for (size_t length = 0; length < whole.size(); length += whole.size() / 40 + 1) {
+        put("cut.exr", whole.substr(0, length));
+        expectError(ExitStatus::data, {"cut.exr"}, [&] { readExr(at("cut.exr")); });
+    }
+    // Bytes changed at random: a value may change unnoticed, but nothing else may be thrown.
+    std::mt19937 random(1);
+    for (int round = 0; round < 300; ++round) {
+        std::string bytes = whole;
+        for (int k = 0; k < 4; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+        put("hurt.exr", bytes);
+        try {
+            readExr(at("hurt.exr"));
+        } catch (const Error& error) {
+            EXPECT_TRUE(error.status() == ExitStatus::data || error.status() == ExitStatus::memory)
+                << "round " << round << ": " << error.what();
+        }
+    }
+}
+
+TEST_F(ExrInputTest, RadianceMustBeFiniteAndNotNegative) {
+    Image image = numbered(4, 3, kRgb);
+    EXPECT_NO_THROW(checkRadiance(image, "sky.exr"));
+    image.plane(2)[4 + 1] = -1e-6f;
+    expectError(ExitStatus::data, {"sky.exr", "'B'", "-1e-06", "(1, 1)"},
+                [&] { checkRadiance(image, "sky.exr"); });
+    exr("sky.exr", image);
+    expectError(ExitStatus::data, {"sky.exr", "'B'"}, [&] { readEnvironment(at("sky.exr")); });
+    image.plane(2)[4 + 1] = std::numeric_limits<float>::quiet_NaN();
+    expectError(ExitStatus::data, {"nan"}, [&] { checkRadiance(image, "sky.exr"); });
+    image.plane(2)[4 + 1] = std::numeric_limits<float>::infinity();
+    expectError(ExitStatus::data, {"inf"}, [&] { checkRadiance(image, "sky.exr"); });
+}
+
+TEST(ImageSize, IsCheckedBeforeMemoryIsTaken) {
+    EXPECT_NO_THROW(checkSize(1, 1, 4, "a.exr"));
+    EXPECT_THROW(checkSize(0, 5, 4, "a.exr"), DataError);
+    EXPECT_THROW(checkSize(5, (1 << 17) + 1, 4, "a.exr"), DataError);
+    // 2^34 pixels of 1000 floats are 64 TiB, more than any machine this runs on.
+    EXPECT_THROW(checkSize(1 << 17, 1 << 17, 1000, "a.exr"), MemoryError);
+}
