@@ -14,6 +14,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <sys/resource.h>
 
 using namespace eikonal;
 using namespace eikonal::image;
@@ -46,6 +47,13 @@ protected:
         }
     }
 };
+
+/// The most memory this process ever held at once [KiB].
+long peakKibibytes() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
 
 const std::vector<std::string> kRgb = {"R", "G", "B"};
 
@@ -124,7 +132,7 @@ TEST_F(ExrInputTest, WhatIsNoPictureIsRefusedByName) {
 
 TEST_F(ExrInputTest, AHeaderOfAbsurdSizeTakesNoMemory) {
     // The two y limits of both windows, patched into a small file: 100 000 rows that aren't there.
-    exr("a.exr", numbered(64, 4, kRgb));
+    exr("a.exr", numbered(1024, 4, kRgb));
     std::string bytes = bytesOf("a.exr");
     for (const char* name : {"dataWindow", "displayWindow"}) {
         // name, 0, "box2i", 0, size (4), x0 y0 x1 y1
@@ -133,7 +141,10 @@ TEST_F(ExrInputTest, AHeaderOfAbsurdSizeTakesNoMemory) {
         std::memcpy(bytes.data() + at, &rows, sizeof rows);
     }
     put("tall.exr", bytes);
+    const long before = peakKibibytes();
     expectError(ExitStatus::data, {"tall.exr"}, [&] { readExr(at("tall.exr")); });
+    // The picture would take 1200 MiB; 100 MiB leave room for the table of lines.
+    EXPECT_LT(peakKibibytes() - before, 100 * 1024);
 }
 
 TEST_F(ExrInputTest, DamagedFilesAreDataErrorsOrStillPictures) {
