@@ -1,0 +1,99 @@
+// Triangles in world space: what a boundary is before it becomes voxels.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/triangle_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/gtc/constants.hpp>
+#include <numeric>
+#include <tuple>
+
+namespace eikonal::mesh {
+
+bool Box::contains(const glm::dvec3& x) const {
+    return glm::all(glm::lessThanEqual(min, x)) && glm::all(glm::lessThanEqual(x, max));
+}
+
+void Box::include(const glm::dvec3& x) {
+    const bool first = empty();
+    min = first ? x : glm::min(min, x);
+    max = first ? x : glm::max(max, x);
+}
+
+Box boundingBox(const TriangleMesh& mesh) {
+    Box box;
+    for (const glm::uvec3& face : mesh.triangles)
+        for (int k = 0; k < 3; ++k) box.include(mesh.points[face[k]]);
+    return box;
+}
+
+double signedVolume(const TriangleMesh& mesh) {
+    const Box box = boundingBox(mesh);
+    // Tetrahedra towards the box's centre: far from the origin those towards it would cancel.
+    const glm::dvec3 centre = 0.5 * (box.min + box.max);
+    double sixfold = 0;
+    for (const glm::uvec3& face : mesh.triangles)
+        sixfold += glm::dot(mesh.points[face.x] - centre,
+                            glm::cross(mesh.points[face.y] - centre, mesh.points[face.z] - centre));
+    return sixfold / 6;
+}
+
+double windingShare(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                    const glm::dvec3& x) {
+    // van Oosterom and Strackee 1983, "The solid angle of a plane triangle", eq. 8.
+    const glm::dvec3 A = a - x, B = b - x, C = c - x;
+    const double lengthA = glm::length(A), lengthB = glm::length(B), lengthC = glm::length(C);
+    const double numerator = glm::dot(A, glm::cross(B, C));
+    const double denominator = lengthA * lengthB * lengthC + glm::dot(A, B) * lengthC +
+                               glm::dot(B, C) * lengthA + glm::dot(C, A) * lengthB;
+    if (numerator == 0 && denominator <= 0) return 0; // x lies in the triangle, or on its rim
+    return std::atan2(numerator, denominator) / glm::two_pi<double>();
+}
+
+double windingNumber(const TriangleMesh& mesh, const glm::dvec3& x) {
+    double sum = 0;
+    for (const glm::uvec3& face : mesh.triangles)
+        sum += windingShare(mesh.points[face.x], mesh.points[face.y], mesh.points[face.z], x);
+    return sum;
+}
+
+size_t dropUnusedPoints(TriangleMesh& mesh) {
+    constexpr std::uint32_t kUnused = UINT32_MAX;
+    std::vector<glm::dvec3>& points = mesh.points;
+    std::vector<std::uint32_t> renamed(points.size(), kUnused);
+    for (const glm::uvec3& face : mesh.triangles)
+        for (int k = 0; k < 3; ++k) renamed[face[k]] = 0;
+    std::uint32_t kept = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (renamed[i] == kUnused) continue;
+        points[kept] = points[i];
+        renamed[i] = kept++;
+    }
+    for (glm::uvec3& face : mesh.triangles)
+        for (int k = 0; k < 3; ++k) face[k] = renamed[face[k]];
+    const size_t gone = points.size() - kept;
+    points.resize(kept);
+    return gone;
+}
+
+size_t mergeIdenticalPoints(TriangleMesh& mesh) {
+    const std::vector<glm::dvec3>& points = mesh.points;
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(points[a].x, points[a].y, points[a].z, a) <
+               std::tie(points[b].x, points[b].y, points[b].z, b);
+    });
+    // The first of equal points stands for them all: it sorts before the others.
+    std::vector<std::uint32_t> first(points.size());
+    for (size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
+        first[order[i]] = same ? first[order[i - 1]] : order[i];
+    }
+    for (glm::uvec3& face : mesh.triangles)
+        for (int k = 0; k < 3; ++k) face[k] = first[face[k]];
+    return dropUnusedPoints(mesh);
+}
+
+} // namespace eikonal::mesh

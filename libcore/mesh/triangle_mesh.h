@@ -1,0 +1,54 @@
+// Triangles in world space: what a boundary is before it becomes voxels.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace eikonal::mesh {
+
+/// A triangle soup with shared corners. Seen from outside, a face's corners run anticlockwise.
+struct TriangleMesh {
+    std::vector<glm::dvec3> points;    ///< world space [unit]
+    std::vector<glm::uvec3> triangles; ///< three indices into `points`
+};
+
+/// An axis-aligned box in world space [unit]. Empty while `min` exceeds `max`.
+struct Box {
+    glm::dvec3 min{1, 1, 1};
+    glm::dvec3 max{-1, -1, -1};
+
+    bool empty() const { return min.x > max.x; }
+    bool contains(const glm::dvec3& x) const;
+    void include(const glm::dvec3& x);
+};
+
+/// The box of the points that a triangle uses; empty without triangles.
+Box boundingBox(const TriangleMesh& mesh);
+
+/// The enclosed volume [unit³], positive where faces look outward. An open mesh has none: then the
+/// number depends on where the box's centre lies.
+double signedVolume(const TriangleMesh& mesh);
+
+/// How often the surface wraps around `x`: the sum of the faces' signed solid angles over 4π. For
+/// a closed mesh 1 inside, 0 outside, -1 inside one turned inside out; a fraction for an open one.
+/// Linear in the number of triangles.
+double windingNumber(const TriangleMesh& mesh, const glm::dvec3& x);
+
+/// The solid angle of one triangle seen from `x`, over 4π; positive if seen from behind.
+double windingShare(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                    const glm::dvec3& x);
+
+/// Drops the points that no triangle uses, keeping the order. Gives the number that went.
+size_t dropUnusedPoints(TriangleMesh& mesh);
+
+/// Makes points of equal coordinates one, then drops unused ones. Gives the number that went.
+size_t mergeIdenticalPoints(TriangleMesh& mesh);
+
+/// Whether two corners of the face are the same point of the list.
+inline bool hasRepeatedCorner(const glm::uvec3& face) {
+    return face.x == face.y || face.y == face.z || face.z == face.x;
+}
+
+} // namespace eikonal::mesh
