@@ -1,0 +1,116 @@
+// The shells of a mesh: faces joined by edges, how much each encloses, and which look inward.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace eikonal::mesh {
+
+namespace {
+
+std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t i) {
+    while (parents[i] != i) i = parents[i] = parents[parents[i]];
+    return i;
+}
+
+void measure(const TriangleMesh& mesh, Shell& shell) {
+    for (std::uint32_t face : shell.faces)
+        for (int k = 0; k < 3; ++k) shell.box.include(mesh.points[mesh.triangles[face][k]]);
+    const glm::dvec3 centre = 0.5 * (shell.box.min + shell.box.max);
+    double area = 0;
+    for (std::uint32_t face : shell.faces) {
+        const glm::uvec3& corners = mesh.triangles[face];
+        const glm::dvec3 a = mesh.points[corners.x] - centre, b = mesh.points[corners.y] - centre,
+                         c = mesh.points[corners.z] - centre;
+        shell.volume += glm::dot(a, glm::cross(b, c)) / 6;
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    // Far above the rounding of coordinates in a double, far below any plate one would voxelise:
+    // a mean thickness of a billionth of the shell's size.
+    shell.flat = std::abs(shell.volume) <= 1e-9 * area * glm::length(shell.box.max - shell.box.min);
+}
+
+bool isAround(const TriangleMesh& mesh, const Shell& shell, const glm::dvec3& x) {
+    double winding = 0;
+    for (std::uint32_t face : shell.faces) {
+        const glm::uvec3& corners = mesh.triangles[face];
+        winding +=
+            windingShare(mesh.points[corners.x], mesh.points[corners.y], mesh.points[corners.z], x);
+    }
+    return std::abs(winding) > 0.5;
+}
+
+} // namespace
+
+std::vector<FaceEdge> sortedEdges(const TriangleMesh& mesh) {
+    std::vector<FaceEdge> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+        const glm::uvec3& face = mesh.triangles[f];
+        if (hasRepeatedCorner(face)) continue;
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = face[k], b = face[(k + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+        return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+    });
+    return edges;
+}
+
+size_t endOfEdge(const std::vector<FaceEdge>& edges, size_t begin) {
+    size_t end = begin;
+    while (end < edges.size() && edges[end].low == edges[begin].low &&
+           edges[end].high == edges[begin].high)
+        ++end;
+    return end;
+}
+
+std::vector<Shell> findShells(const TriangleMesh& mesh, const std::vector<FaceEdge>& edges) {
+    std::vector<std::uint32_t> parents(mesh.triangles.size());
+    std::iota(parents.begin(), parents.end(), 0u);
+    for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        end = endOfEdge(edges, begin);
+        for (size_t i = begin + 1; i < end; ++i) {
+            const std::uint32_t a = rootOf(parents, edges[begin].face);
+            const std::uint32_t b = rootOf(parents, edges[i].face);
+            parents[std::max(a, b)] = std::min(a, b);
+        }
+    }
+    std::vector<Shell> shells;
+    std::vector<size_t> shellOf(mesh.triangles.size());
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+        if (hasRepeatedCorner(mesh.triangles[f])) continue;
+        const std::uint32_t root = rootOf(parents, f);
+        if (root == f) {
+            shellOf[f] = shells.size();
+            shells.emplace_back();
+        }
+        shells[shellOf[root]].faces.push_back(f);
+    }
+    for (Shell& shell : shells) measure(mesh, shell);
+    return shells;
+}
+
+std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell>& shells,
+                               const std::vector<char>& wanted) {
+    std::vector<int> depths(shells.size(), 0);
+    for (size_t i = 0; i < shells.size(); ++i) {
+        if (!wanted[i]) continue;
+        // A face's middle, not a corner: shells may touch at corners, where it is no question.
+        const glm::uvec3& face = mesh.triangles[shells[i].faces.front()];
+        const glm::dvec3 x =
+            (mesh.points[face.x] + mesh.points[face.y] + mesh.points[face.z]) / 3.0;
+        for (size_t j = 0; j < shells.size(); ++j)
+            if (j != i && !shells[j].flat && shells[j].box.contains(x) &&
+                isAround(mesh, shells[j], x))
+                ++depths[i];
+    }
+    return depths;
+}
+
+} // namespace eikonal::mesh

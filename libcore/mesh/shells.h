@@ -1,0 +1,41 @@
+// The shells of a mesh: faces joined by edges, how much each encloses, and which look inward.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace eikonal::mesh {
+
+/// One side of a face, as the edge between points low < high.
+struct FaceEdge {
+    std::uint32_t low, high;
+    std::uint32_t face;
+    bool rising; ///< the face runs from low to high
+};
+
+/// The edges of all faces without a repeated corner, those between the same points side by side.
+std::vector<FaceEdge> sortedEdges(const TriangleMesh& mesh);
+
+/// The end of the run of `edges` that starts at `begin` and lies between the same two points.
+size_t endOfEdge(const std::vector<FaceEdge>& edges, size_t begin);
+
+/// Faces that reach each other through shared edges.
+struct Shell {
+    std::vector<std::uint32_t> faces;
+    Box box;           ///< world space [unit]
+    double volume = 0; ///< signed [unit³]
+    bool flat = false; ///< encloses nothing but what rounding leaves
+};
+
+/// The shells in the order of their first face; faces with a repeated corner belong to none.
+std::vector<Shell> findShells(const TriangleMesh& mesh, const std::vector<FaceEdge>& edges);
+
+/// How many other shells lie around each shell. Meant for closed ones that do not cross.
+/// Shells whose `wanted` is 0 are skipped (0 is given).
+std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell>& shells,
+                               const std::vector<char>& wanted);
+
+} // namespace eikonal::mesh
