@@ -1,0 +1,2 @@
+eikonal_test(test_mesh
+    SOURCES mesh/shapes_test.cpp mesh/read_test.cpp mesh/check_test.cpp mesh/repair_test.cpp)
