@@ -1,0 +1,11 @@
+# Writes OUTPUT, a C++ table of every file in FOLDER: cmake -DFOLDER=... -DOUTPUT=... -P this
+file(GLOB_RECURSE files RELATIVE ${FOLDER} ${FOLDER}/*.glsl ${FOLDER}/*.h)
+list(SORT files)
+set(text "// Made by cmake/embed_shaders.cmake.\n#include \"gpu/embedded_shaders.h\"\n\n")
+string(APPEND text "namespace eikonal::gpu {\n\nconst EmbeddedShader kEmbeddedShaders[] = {\n")
+foreach(file ${files})
+    file(READ ${FOLDER}/${file} source)
+    string(APPEND text "    {\"${file}\", R\"GLSL(${source})GLSL\"},\n")
+endforeach()
+string(APPEND text "    {nullptr, nullptr}};\n\n} // namespace eikonal::gpu\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,198 @@
+// How a light sees the domain: the windows of its photon map (Sun et al. 2008, §4.3).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/photon_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace eikonal::lightsim {
+
+using glm::dvec2;
+using glm::dvec3;
+
+namespace {
+
+/// An upright orthonormal view along `forward`: right × up points back at the light, so triangles
+/// that face it are drawn counterclockwise.
+void aim(Window& window, const dvec3& forward) {
+    // The axis least along the view gives the best conditioned frame.
+    const dvec3 a = glm::abs(forward);
+    const dvec3 reference = a.y <= a.x && a.y <= a.z ? dvec3(0, 1, 0)
+                            : a.x <= a.z             ? dvec3(1, 0, 0)
+                                                     : dvec3(0, 0, 1);
+    window.forward = forward;
+    window.right = glm::normalize(glm::cross(forward, reference));
+    window.up = glm::cross(window.right, forward);
+}
+
+std::array<dvec3, 8> cornersOf(const VoxelBox& box) {
+    std::array<dvec3, 8> corners;
+    for (int i = 0; i < 8; ++i)
+        corners[static_cast<size_t>(i)] = {i & 1 ? box.high.x : box.low.x,
+                                           i & 2 ? box.high.y : box.low.y,
+                                           i & 4 ? box.high.z : box.low.z};
+    return corners;
+}
+
+struct Bounds {
+    dvec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+    void include(const dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    bool empty() const { return !(low.x < high.x && low.y < high.y); }
+};
+
+/// p relative to the window's frame: right, up, forward.
+dvec3 inView(const Window& window, const dvec3& p) {
+    const dvec3 q = p - window.origin;
+    return {glm::dot(q, window.right), glm::dot(q, window.up), glm::dot(q, window.forward)};
+}
+
+/// Clips a polygon by the half space dot(normal, p) >= offset (Sutherland and Hodgman 1974).
+std::vector<dvec3> clip(const std::vector<dvec3>& polygon, const dvec3& normal, double offset) {
+    std::vector<dvec3> out;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const dvec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        const double da = glm::dot(normal, a) - offset, db = glm::dot(normal, b) - offset;
+        if (da >= 0) out.push_back(a);
+        if ((da >= 0) != (db >= 0)) out.push_back(a + (b - a) * (da / (da - db)));
+    }
+    return out;
+}
+
+/// The tangents under which the box is seen within 45° of the view's axis, and its depth range.
+Bounds boundsInFace(const Window& window, const VoxelBox& box, double least) {
+    const auto corners = cornersOf(box);
+    const int faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
+                             {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
+    Bounds bounds;
+    for (const auto& face : faces) {
+        std::vector<dvec3> polygon;
+        for (int corner : face)
+            polygon.push_back(inView(window, corners[static_cast<size_t>(corner)]));
+        for (const dvec3& side : {dvec3(1, 0, 1), dvec3(-1, 0, 1), dvec3(0, 1, 1), dvec3(0, -1, 1)})
+            polygon = clip(polygon, side, 0);
+        polygon = clip(polygon, {0, 0, 1}, least);
+        for (const dvec3& p : polygon) bounds.include({p.x / p.z, p.y / p.z, p.z});
+    }
+    return bounds;
+}
+
+/// Lays pixels of edge `pixel` over the bounds, one more than needed, so that a shift by part of a
+/// pixel still covers them.
+void layPixels(Window& window, const Bounds& bounds, double pixel, const dvec2& shift) {
+    const dvec2 extent(bounds.high - bounds.low);
+    window.pixels = glm::max(glm::ivec2(glm::ceil(extent / pixel)) + 1, glm::ivec2(1));
+    window.extent = dvec2(window.pixels) * pixel;
+    window.low = dvec2(bounds.low) - shift * pixel;
+}
+
+std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target,
+                                   std::int64_t photons, const dvec2& shift) {
+    Window window;
+    aim(window, glm::normalize(light.vector));
+    Bounds bounds;
+    for (const dvec3& corner : cornersOf(target)) bounds.include(inView(window, corner));
+    const dvec3 extent = bounds.high - bounds.low;
+    layPixels(window, bounds, std::sqrt(extent.x * extent.y / static_cast<double>(photons)), shift);
+    // A margin keeps the box's own faces off the clipping planes.
+    window.near = bounds.low.z - 1;
+    window.far = bounds.high.z + 1;
+    return {window};
+}
+
+std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, const VoxelBox& domain,
+                                std::int64_t photons, bool hasProxy) {
+    const dvec3 centre = 0.5 * (target.low + target.high);
+    const double size = glm::length(target.high - target.low);
+    Window front;
+    front.point = true;
+    front.origin = light.vector;
+    front.startsAtLight = !hasProxy && domain.contains(light.vector);
+    const dvec3 towards = centre - light.vector;
+    const double distance = glm::length(towards);
+    // From outside, the cube's front face looks at the target, which then mostly fits that face.
+    aim(front, distance > 1e-9 * size ? towards / distance : dvec3(0, 0, 1));
+
+    const double least = 1e-5 * (distance + size);
+    std::vector<Window> windows;
+    std::vector<Bounds> bounds;
+    double area = 0;
+    const dvec3 axes[6] = {front.forward, -front.forward, front.right,
+                           -front.right,  front.up,       -front.up};
+    for (const dvec3& axis : axes) {
+        Window window = front;
+        aim(window, axis);
+        const Bounds seen = boundsInFace(window, target, least);
+        if (seen.empty()) continue;
+        window.near = std::max(seen.low.z * 0.999, least);
+        window.far = seen.high.z * 1.001;
+        windows.push_back(window);
+        bounds.push_back(seen);
+        area += (seen.high.x - seen.low.x) * (seen.high.y - seen.low.y);
+    }
+    const double pixel = std::sqrt(area / static_cast<double>(photons));
+    for (size_t i = 0; i < windows.size(); ++i) {
+        // Whole pixels and no shift: across a seam of the cube every direction is covered once.
+        windows[i].low = dvec2(bounds[i].low);
+        windows[i].extent = dvec2(bounds[i].high - bounds[i].low);
+        windows[i].pixels = glm::max(glm::ivec2(glm::ceil(windows[i].extent / pixel)), 1);
+    }
+    return windows;
+}
+
+} // namespace
+
+bool VoxelBox::contains(const dvec3& p) const {
+    return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y &&
+           p.z < high.z;
+}
+
+double Window::pixelArea() const {
+    return extent.x / pixels.x * (extent.y / pixels.y);
+}
+
+Window Window::batch(int i, int j, int b) const {
+    Window part = *this;
+    part.pixels = (pixels - glm::ivec2(i, j) + b - 1) / b;
+    const dvec2 pixel = extent / dvec2(pixels);
+    part.extent = pixel * dvec2(part.pixels * b);
+    part.low = low + pixel * (dvec2(i, j) + 0.5 - 0.5 * b);
+    return part;
+}
+
+glm::dmat4 Window::clipFromVoxel() const {
+    glm::dmat4 viewFromVoxel(1.0);
+    for (int c = 0; c < 3; ++c) {
+        viewFromVoxel[c][0] = right[c];
+        viewFromVoxel[c][1] = up[c];
+        viewFromVoxel[c][2] = forward[c];
+    }
+    viewFromVoxel[3] = glm::dvec4(-glm::dot(right, origin), -glm::dot(up, origin),
+                                  -glm::dot(forward, origin), 1.0);
+    glm::dmat4 clipFromView(0.0);
+    const dvec2 scale = 2.0 / extent, offset = -1.0 - 2.0 * low / extent;
+    clipFromView[0][0] = scale.x;
+    clipFromView[1][1] = scale.y;
+    if (point) {
+        clipFromView[2] = glm::dvec4(offset.x, offset.y, (far + near) / (far - near), 1.0);
+        clipFromView[3][2] = -2.0 * far * near / (far - near);
+    } else {
+        clipFromView[2][2] = 2.0 / (far - near);
+        clipFromView[3] = glm::dvec4(offset.x, offset.y, -(far + near) / (far - near), 1.0);
+    }
+    return clipFromView * viewFromVoxel;
+}
+
+std::vector<Window> windowsOf(const Light& light, const VoxelBox& target, const VoxelBox& domain,
+                              std::int64_t photons, const dvec2& shift, bool hasProxy) {
+    return light.kind == Light::Kind::directional
+               ? parallelWindow(light, target, photons, shift)
+               : cubeWindows(light, target, domain, photons, hasProxy);
+}
+
+} // namespace eikonal::lightsim

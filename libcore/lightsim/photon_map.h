@@ -1,0 +1,43 @@
+// How a light sees the domain: the windows of its photon map (Sun et al. 2008, §4.3).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "lightsim/params.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace eikonal::lightsim {
+
+/// An axis-aligned box in voxel space, the domain's low corner voxel at the origin.
+struct VoxelBox {
+    glm::dvec3 low, high;
+    bool contains(const glm::dvec3& p) const;
+};
+
+/// One rectangle of a photon map: parallel rays, or a part of one face of a cube round the light.
+struct Window {
+    bool point = false;
+    glm::dvec3 right, up, forward; ///< orthonormal, voxel space
+    glm::dvec3 origin{0};          ///< the light [voxel]; point lights only
+    glm::dvec2 low, extent;        ///< offsets [voxel] or tangents
+    glm::ivec2 pixels;             ///< of the whole map in this window
+    double near = 0, far = 1;      ///< depth range along forward [voxel]
+    bool startsAtLight = false;    ///< the light is in the domain, and there is no proxy
+
+    double pixelArea() const; ///< [voxel²] or [sr] straight ahead
+
+    /// The part of the map that batch (i, j) of b × b interleaved ones covers.
+    Window batch(int i, int j, int b) const;
+    glm::dmat4 clipFromVoxel() const;
+};
+
+/// The windows through which `light` (in voxel space) sees `target`, with about `photons` pixels in
+/// all. A directional light's map is shifted by `shift` pixels in [0, 1)². The domain tells whether
+/// the light stands inside.
+std::vector<Window> windowsOf(const Light& light, const VoxelBox& target, const VoxelBox& domain,
+                              std::int64_t photons, const glm::dvec2& shift, bool hasProxy);
+
+} // namespace eikonal::lightsim

@@ -1,0 +1,22 @@
+// The structs that the light stage's shaders and C++ both read.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+namespace eikonal::lightsim {
+
+using glm::ivec4;
+using glm::mat4;
+using glm::uvec4;
+using glm::vec4;
+#include "shared/lightsim_params.h"
+
+static_assert(sizeof(OctreeParams) == 80);
+static_assert(sizeof(BirthParams) == 208);
+static_assert(sizeof(PhotonParams) == 80);
+static_assert(sizeof(ResolveParams) == 64);
+static_assert(sizeof(Photon) == 48);
+
+} // namespace eikonal::lightsim

@@ -1,0 +1,1 @@
+eikonal_room(medium SOURCES medium.cpp SYSTEM_INCLUDES ${PROJECT_SOURCE_DIR}/shaders)

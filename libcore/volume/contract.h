@@ -1,0 +1,26 @@
+// What each grid of a scene volume is: type, range of valid values, value where it is absent.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/volume.h"
+
+#include <optional>
+#include <string>
+
+namespace eikonal::volume {
+
+struct GridRule {
+    const char* name;
+    GridType type;
+    float least, most;       ///< range of valid values
+    bool leastOpen, mostOpen; ///< the end itself is not valid
+    const char* wanted;      ///< the range in words, for messages
+};
+
+/// The rule for a grid of the contract, or null for any other name.
+const GridRule* ruleFor(const std::string& grid);
+
+/// What is wrong with `value` under the rule ("is -1, expected >= 0"), or nothing.
+std::optional<std::string> fault(const GridRule* rule, float value);
+
+} // namespace eikonal::volume

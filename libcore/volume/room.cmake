@@ -1,0 +1,2 @@
+eikonal_room(volume SOURCES contract.cpp vdb_stream.cpp volume.cpp
+             SYSTEM_INCLUDES ${OPENVDB_INCLUDE} LIBRARIES Imath::Imath)

@@ -1,0 +1,504 @@
+// A scene volume: the named grids of one .vdb file, where they lie in the world, and dense copies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/volume.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "volume/contract.h"
+#include "volume/vdb_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+#include <iostream>
+#include <openvdb/io/File.h>
+#include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/ChangeBackground.h>
+#include <openvdb/tools/Dense.h>
+#include <openvdb/tools/MeshToVolume.h>
+#include <openvdb/tools/Prune.h>
+#include <openvdb/tools/ValueTransformer.h>
+#include <tbb/parallel_for.h>
+
+namespace eikonal::volume {
+
+namespace {
+
+using openvdb::FloatGrid;
+using openvdb::GridBase;
+using openvdb::Vec3SGrid;
+
+void initializeOnce() {
+    static const bool done = (openvdb::initialize(), true);
+    (void)done;
+}
+
+glm::ivec3 fromCoord(const openvdb::Coord& c) {
+    return {c.x(), c.y(), c.z()};
+}
+
+openvdb::Coord toCoord(const glm::ivec3& c) {
+    return {c.x, c.y, c.z};
+}
+
+openvdb::CoordBBox toBox(const IndexBox& box) {
+    return {toCoord(box.min), toCoord(box.max)};
+}
+
+/// OpenVDB's matrices act on row vectors and are stored by rows, so the array read by columns is
+/// already the column-vector matrix.
+glm::dmat4 fromMat4(const openvdb::math::Mat4d& m) {
+    return glm::make_mat4(m.asPointer());
+}
+
+openvdb::math::Transform::Ptr toTransform(const Frame& frame) {
+    return openvdb::math::Transform::createLinearTransform(
+        openvdb::math::Mat4d(glm::value_ptr(frame.worldFromIndex)));
+}
+
+Frame toFrame(const openvdb::math::Transform& transform, const std::string& where) {
+    // Rotations make voxel edges uneven by rounding; anything beyond this is meant.
+    const double kTolerance = 1e-5;
+    if (!transform.isLinear())
+        throw DataError(where + ": its transform is not linear, expected uniform voxels");
+    Frame frame;
+    frame.worldFromIndex = fromMat4(transform.baseMap()->getAffineMap()->getMat4());
+    glm::dvec3 axes[3], lengths;
+    for (int i = 0; i < 3; ++i) {
+        axes[i] = glm::dvec3(frame.worldFromIndex[i]);
+        lengths[i] = glm::length(axes[i]);
+    }
+    frame.voxelSize = std::cbrt(lengths.x * lengths.y * lengths.z);
+    const double size = frame.voxelSize;
+    if (!(size > 0) || !std::isfinite(size))
+        throw DataError(where + ": its voxel size is " + toText(size) + ", expected above 0");
+    for (int i = 0; i < 3; ++i)
+        if (std::abs(lengths[i] / size - 1) > kTolerance ||
+            std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > kTolerance * size * size)
+            throw DataError(where + ": its voxels are " + toText(lengths.x) + " x " +
+                            toText(lengths.y) + " x " + toText(lengths.z) +
+                            " units or skewed, expected cubes");
+    return frame;
+}
+
+bool nearlyEqual(const Frame& a, const Frame& b) {
+    const double kTolerance = 1e-6; // files carry doubles; some writers go through float
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) {
+            const double scale = column == 3 ? std::max(std::abs(a.worldFromIndex[column][row]),
+                                                        a.voxelSize)
+                                             : a.voxelSize;
+            if (std::abs(a.worldFromIndex[column][row] - b.worldFromIndex[column][row]) >
+                kTolerance * scale)
+                return false;
+        }
+    return true;
+}
+
+GridType typeOf(const GridBase& grid) {
+    if (grid.isType<FloatGrid>()) return GridType::scalar;
+    if (grid.isType<Vec3SGrid>()) return GridType::vector;
+    return GridType::other;
+}
+
+std::string voxelText(const glm::ivec3& voxel) {
+    return "(" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
+           std::to_string(voxel.z) + ")";
+}
+
+/// The first value against the rule, as slice-parallel scan; -1 if there is none.
+std::int64_t firstFault(const GridRule* rule, const DenseGrid& grid) {
+    const size_t slice = static_cast<size_t>(grid.size.x) * grid.size.y * grid.components;
+    std::vector<std::int64_t> found(static_cast<size_t>(grid.size.z), -1);
+    tbb::parallel_for(0, grid.size.z, [&](int z) {
+        const float* values = grid.values.data() + slice * static_cast<size_t>(z);
+        const float least = rule ? rule->least : -std::numeric_limits<float>::max();
+        const float most = rule ? rule->most : std::numeric_limits<float>::max();
+        // The plain range is tested branch-free first; open ends are looked at only on a hit.
+        bool inside = true, onEnd = false;
+        for (size_t i = 0; i < slice; ++i) {
+            inside &= values[i] >= least && values[i] <= most;
+            onEnd |= values[i] == least || values[i] == most;
+        }
+        const bool open = rule && (rule->leastOpen || rule->mostOpen);
+        if (inside && !(open && onEnd)) return;
+        for (size_t i = 0; i < slice; ++i)
+            if (fault(rule, values[i])) {
+                found[static_cast<size_t>(z)] = static_cast<std::int64_t>(slice) * z +
+                                                static_cast<std::int64_t>(i);
+                return;
+            }
+    });
+    for (std::int64_t at : found)
+        if (at >= 0) return at;
+    return -1;
+}
+
+glm::ivec3 voxelAt(const DenseGrid& grid, std::int64_t value) {
+    const std::int64_t voxel = value / grid.components;
+    return {static_cast<int>(voxel % grid.size.x),
+            static_cast<int>(voxel / grid.size.x % grid.size.y),
+            static_cast<int>(voxel / grid.size.x / grid.size.y)};
+}
+
+/// Copies a tree's values in the box, active or not, into a dense array.
+template<typename GridT>
+void copyOut(const GridT& grid, const IndexBox& box, DenseGrid& out) {
+    using Value = typename GridT::ValueType;
+    openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(
+        toBox(box), reinterpret_cast<Value*>(out.values.data()));
+    openvdb::tools::copyToDense(grid, dense);
+}
+
+/// The reverse: a sparse tree of a dense array.
+template<typename GridT>
+typename GridT::Ptr copyIn(const IndexBox& box, const DenseGrid& in,
+                           const typename GridT::ValueType& background, bool allActive) {
+    using Value = typename GridT::ValueType;
+    // Values that equal the background become inactive; one that occurs nowhere keeps all active.
+    const Value none = openvdb::zeroVal<Value>() + std::numeric_limits<float>::lowest();
+    auto grid = GridT::create(allActive ? none : background);
+    const openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(
+        toBox(box), const_cast<Value*>(reinterpret_cast<const Value*>(in.values.data())));
+    openvdb::tools::copyFromDense(dense, *grid, openvdb::zeroVal<Value>());
+    if (allActive) openvdb::tools::changeBackground(grid->tree(), background);
+    openvdb::tools::prune(grid->tree());
+    return grid;
+}
+
+/// The box of active voxels: from the file's statistics where they are, else from the tree.
+IndexBox activeBox(const GridBase& grid, bool treeIsRead) {
+    IndexBox box;
+    if (treeIsRead) {
+        const openvdb::CoordBBox active = grid.evalActiveVoxelBoundingBox();
+        if (!active.empty()) box = {fromCoord(active.min()), fromCoord(active.max())};
+        return box;
+    }
+    const auto low = grid.getMetadata<openvdb::Vec3IMetadata>(GridBase::META_FILE_BBOX_MIN);
+    const auto high = grid.getMetadata<openvdb::Vec3IMetadata>(GridBase::META_FILE_BBOX_MAX);
+    const auto& a = low->value();
+    const auto& b = high->value();
+    return {{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}};
+}
+
+bool hasStatistics(const GridBase& grid) {
+    return grid.getMetadata<openvdb::Vec3IMetadata>(GridBase::META_FILE_BBOX_MIN) &&
+           grid.getMetadata<openvdb::Vec3IMetadata>(GridBase::META_FILE_BBOX_MAX);
+}
+
+} // namespace
+
+void IndexBox::include(const IndexBox& other) {
+    if (other.empty()) return;
+    if (empty()) {
+        *this = other;
+        return;
+    }
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+}
+
+glm::dmat4 Frame::indexFromWorld() const {
+    return glm::inverse(worldFromIndex);
+}
+
+struct Volume::Impl {
+    struct Entry {
+        GridBase::Ptr grid;
+        IndexBox active;
+        bool read = false; // its tree, not only its metadata
+    };
+
+    std::string path;
+    Frame frame;
+    IndexBox domain;
+    GridNames names;
+    openvdb::MetaMap metadata;
+    std::unique_ptr<openvdb::io::File> file; // open while entries may still have to be read
+    std::vector<Entry> entries;
+
+    std::string nameInFile(const std::string& grid) const {
+        const auto mapped = names.find(grid);
+        return mapped == names.end() ? grid : mapped->second;
+    }
+
+    Entry* find(const std::string& grid) {
+        const std::string name = nameInFile(grid);
+        for (Entry& entry : entries)
+            if (entry.grid->getName() == name) return &entry;
+        return nullptr;
+    }
+
+    std::string where(const std::string& grid) const {
+        return path + ": grid '" + nameInFile(grid) + "'";
+    }
+
+    void readEntry(Entry& entry) {
+        if (entry.read) return;
+        const std::string name = entry.grid->getName();
+        try {
+            entry.grid = file->readGrid(name);
+        } catch (const std::exception& error) {
+            throw DataError(path + ": grid '" + name + "' can't be read: " + error.what());
+        }
+        entry.read = true;
+    }
+
+    void add(const GridBase::Ptr& grid, bool read) {
+        Entry entry{grid, {}, read};
+        if (!read && !hasStatistics(*grid)) readEntry(entry);
+        entry.active = activeBox(*entry.grid, entry.read);
+        entries.push_back(entry);
+    }
+
+    void openFile() {
+        std::error_code ignored;
+        if (std::filesystem::is_directory(path, ignored))
+            throw DataError(path + ": is a directory, expected a VDB file");
+        std::ifstream in(path, std::ios_base::binary);
+        if (!in) throw MissingError(path + ": can't open for reading");
+        in.exceptions(std::ios_base::failbit | std::ios_base::badbit);
+        const VdbHeader header = readVdbHeader(in);
+        if (header.truncated) throw DataError(path + ": is cut short");
+        if (!header.hasOffsets) {
+            in.seekg(0);
+            readStream(in);
+            return;
+        }
+        file = std::make_unique<openvdb::io::File>(path);
+        file->open(false);
+        metadata = *file->getMetadata();
+        for (const auto& grid : *file->readAllGridMetadata()) add(grid, false);
+    }
+
+    void readStream(std::istream& in) {
+        in.exceptions(std::ios_base::failbit | std::ios_base::badbit);
+        openvdb::io::Stream stream(in, false);
+        metadata = *stream.getMetadata();
+        for (const auto& grid : *stream.getGrids()) add(grid, true);
+    }
+
+    void settle() {
+        if (entries.empty()) throw DataError(path + ": holds no grids");
+        frame = toFrame(entries[0].grid->transform(),
+                        path + ": grid '" + entries[0].grid->getName() + "'");
+        for (const Entry& entry : entries) {
+            const std::string name = path + ": grid '" + entry.grid->getName() + "'";
+            if (!nearlyEqual(frame, toFrame(entry.grid->transform(), name)))
+                throw DataError(name + " is on another transform than grid '" +
+                                entries[0].grid->getName() + "', expected one for all");
+            domain.include(entry.active);
+        }
+        if (domain.empty()) throw DataError(path + ": has no active voxel");
+    }
+
+    void replace(const GridBase::Ptr& grid, const IndexBox& active) {
+        Entry* old = find(grid->getName());
+        grid->setName(nameInFile(grid->getName()));
+        if (old) *old = {grid, active, true};
+        else entries.push_back({grid, active, true});
+        domain.include(active);
+    }
+};
+
+Volume::Volume(std::unique_ptr<Impl> impl) : mImpl(std::move(impl)) {}
+Volume::~Volume() = default;
+Volume::Volume(Volume&&) noexcept = default;
+Volume& Volume::operator=(Volume&&) noexcept = default;
+
+Volume::Volume(const Frame& frame) : mImpl(new Impl) {
+    initializeOnce();
+    mImpl->frame = frame;
+}
+
+Volume Volume::open(const std::string& path, const GridNames& names) {
+    initializeOnce();
+    auto impl = std::make_unique<Impl>();
+    impl->path = path == "-" ? "standard input" : path;
+    impl->names = names;
+    try {
+        if (path == "-") impl->readStream(std::cin);
+        else impl->openFile();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw DataError(impl->path + ": is no valid VDB file (asks for more memory than there is)");
+    } catch (const std::exception& error) {
+        throw DataError(impl->path + ": is no valid VDB file (" +
+                        split(error.what(), '\n').front() + ")");
+    }
+    impl->settle();
+    return Volume(std::move(impl));
+}
+
+const std::string& Volume::path() const {
+    return mImpl->path;
+}
+
+const Frame& Volume::frame() const {
+    return mImpl->frame;
+}
+
+const IndexBox& Volume::domain() const {
+    return mImpl->domain;
+}
+
+std::vector<GridFacts> Volume::grids() const {
+    std::vector<GridFacts> facts;
+    for (const Impl::Entry& entry : mImpl->entries)
+        facts.push_back({entry.grid->getName(), entry.grid->valueType(), entry.active});
+    return facts;
+}
+
+bool Volume::has(const std::string& grid) const {
+    const Impl::Entry* entry = mImpl->find(grid);
+    if (!entry) return false;
+    const GridRule* rule = ruleFor(grid);
+    if (rule && typeOf(*entry->grid) != rule->type)
+        throw DataError(mImpl->where(grid) + " holds " + entry->grid->valueType() + ", expected " +
+                        (rule->type == GridType::scalar ? "float" : "vec3s"));
+    return true;
+}
+
+void Volume::require(const std::string& grid) const {
+    if (has(grid)) return;
+    std::vector<std::string> found;
+    for (const GridFacts& facts : grids()) found.push_back(facts.name);
+    throw DataError(mImpl->path + ": no grid '" + mImpl->nameInFile(grid) +
+                    "' (found: " + join(found, ", ") + ")");
+}
+
+glm::vec3 Volume::background(const std::string& grid, const glm::vec3& absent) const {
+    if (!has(grid)) return absent;
+    Impl::Entry& entry = *mImpl->find(grid);
+    mImpl->readEntry(entry);
+    glm::vec3 value;
+    if (typeOf(*entry.grid) == GridType::vector) {
+        const auto& v = openvdb::gridConstPtrCast<Vec3SGrid>(entry.grid)->background();
+        value = {v.x(), v.y(), v.z()};
+    } else {
+        value = glm::vec3(openvdb::gridConstPtrCast<FloatGrid>(entry.grid)->background());
+    }
+    for (int i = 0; i < 3; ++i)
+        if (const auto wrong = fault(ruleFor(grid), value[i]))
+            throw DataError(mImpl->where(grid) + ": the background " + *wrong);
+    return value;
+}
+
+DenseGrid Volume::dense(const std::string& grid, const IndexBox& box) const {
+    require(grid);
+    Impl::Entry& entry = *mImpl->find(grid);
+    mImpl->readEntry(entry);
+    DenseGrid out;
+    out.size = box.size();
+    const bool vector = typeOf(*entry.grid) == GridType::vector;
+    if (typeOf(*entry.grid) == GridType::other)
+        throw DataError(mImpl->where(grid) + " holds " + entry.grid->valueType() +
+                        ", expected float or vec3s");
+    out.components = vector ? 3 : 1;
+    out.values.resize(static_cast<size_t>(box.voxels()) * out.components);
+    if (vector) copyOut(*openvdb::gridConstPtrCast<Vec3SGrid>(entry.grid), box, out);
+    else copyOut(*openvdb::gridConstPtrCast<FloatGrid>(entry.grid), box, out);
+    const GridRule* rule = ruleFor(grid);
+    const std::int64_t at = firstFault(rule, out);
+    if (at >= 0)
+        throw DataError(mImpl->where(grid) + ": voxel " + voxelText(voxelAt(out, at) + box.min) +
+                        " " + *fault(rule, out.values[static_cast<size_t>(at)]));
+    return out;
+}
+
+void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
+                 const PutOptions& options) {
+    const std::int64_t at = firstFault(nullptr, values);
+    if (at >= 0)
+        throw InternalError("grid '" + grid + "': voxel " +
+                            voxelText(voxelAt(values, at) + box.min) + " " +
+                            *fault(nullptr, values.values[static_cast<size_t>(at)]));
+    GridBase::Ptr made;
+    const glm::vec3 b = options.background;
+    if (values.components == 3) {
+        made = copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
+        if (!options.vectorType.empty()) {
+            const bool isVector = options.vectorType == "vector";
+            made->setVectorType(isVector ? openvdb::VEC_CONTRAVARIANT_RELATIVE
+                                         : openvdb::VEC_INVARIANT);
+        }
+    } else {
+        made = copyIn<FloatGrid>(box, values, b.x, options.allActive);
+        made->setGridClass(openvdb::GRID_FOG_VOLUME);
+    }
+    made->setTransform(toTransform(mImpl->frame));
+    made->setName(grid);
+    made->setCreator("eikonal");
+    const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
+    mImpl->replace(made, active.empty() ? IndexBox{}
+                                        : IndexBox{fromCoord(active.min()),
+                                                   fromCoord(active.max())});
+}
+
+void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
+                         const std::vector<glm::dvec3>& points,
+                         const std::vector<glm::uvec3>& triangles, double halfWidth) {
+    // Index-space points in double, then float: a mesh far from the world's origin keeps its shape.
+    const glm::dmat4 indexFromWorld = mImpl->frame.indexFromWorld();
+    std::vector<openvdb::Vec3s> vdbPoints;
+    vdbPoints.reserve(points.size());
+    for (const glm::dvec3& point : points) {
+        const glm::dvec3 p(indexFromWorld * glm::dvec4(point, 1.0));
+        vdbPoints.emplace_back(openvdb::Vec3d(p.x, p.y, p.z));
+    }
+    std::vector<openvdb::Vec3I> vdbTriangles;
+    vdbTriangles.reserve(triangles.size());
+    for (const glm::uvec3& t : triangles) vdbTriangles.emplace_back(t.x, t.y, t.z);
+    const auto unit = openvdb::math::Transform::createLinearTransform(1.0);
+    auto made = openvdb::tools::meshToLevelSet<FloatGrid>(*unit, vdbPoints, vdbTriangles,
+                                                          static_cast<float>(halfWidth));
+    made->tree().clip(toBox(box));
+    const float size = static_cast<float>(mImpl->frame.voxelSize);
+    openvdb::tools::foreach(made->beginValueAll(),
+                            [size](const FloatGrid::ValueAllIter& it) { it.setValue(*it * size); });
+    openvdb::tools::changeBackground(made->tree(), static_cast<float>(halfWidth) * size);
+    made->setTransform(toTransform(mImpl->frame));
+    made->setGridClass(openvdb::GRID_LEVEL_SET);
+    made->setName(grid);
+    made->setCreator("eikonal");
+    const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
+    mImpl->replace(made, {fromCoord(active.min()), fromCoord(active.max())});
+}
+
+std::string Volume::metadata(const std::string& key) const {
+    const auto item = mImpl->metadata.getMetadata<openvdb::StringMetadata>(key);
+    return item ? item->value() : "";
+}
+
+void Volume::setMetadata(const std::string& key, const std::string& value) {
+    mImpl->metadata.removeMeta(key);
+    mImpl->metadata.insertMeta(key, openvdb::StringMetadata(value));
+}
+
+void Volume::write(AtomicFile& out, const History& history) const {
+    openvdb::MetaMap metadata(mImpl->metadata);
+    const std::string command = appendHistory(this->metadata("eikonal:command"), history.command);
+    for (const auto& [key, value] : {std::pair<std::string, std::string>{"eikonal:tool", history.tool},
+                                     {"eikonal:version", history.version},
+                                     {"eikonal:command", command}}) {
+        metadata.removeMeta(key);
+        metadata.insertMeta(key, openvdb::StringMetadata(value));
+    }
+    openvdb::GridCPtrVec grids;
+    for (Impl::Entry& entry : mImpl->entries) {
+        mImpl->readEntry(entry);
+        grids.push_back(entry.grid);
+    }
+    try {
+        writeVdb(out.stream(), out.seekable(), grids, metadata, command);
+    } catch (const std::exception& error) {
+        throw IoError(out.path() + ": write failed: " + error.what());
+    }
+}
+
+} // namespace eikonal::volume

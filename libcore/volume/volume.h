@@ -1,0 +1,120 @@
+// A scene volume: the named grids of one .vdb file, where they lie in the world, and dense copies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/atomic_file.h"
+#include "base/history.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace eikonal::volume {
+
+/// A box of voxels by integer index coordinates, both ends inside.
+struct IndexBox {
+    glm::ivec3 min{0}, max{-1};
+
+    bool empty() const { return max.x < min.x || max.y < min.y || max.z < min.z; }
+    glm::ivec3 size() const { return empty() ? glm::ivec3(0) : max - min + 1; }
+    std::int64_t voxels() const {
+        return std::int64_t{size().x} * size().y * size().z;
+    }
+    void include(const IndexBox& other);
+    bool operator==(const IndexBox&) const = default;
+};
+
+/// Where voxel indices lie in the world: uniform voxels, any rotation and translation.
+struct Frame {
+    glm::dmat4 worldFromIndex{1.0};
+    double voxelSize = 1.0; ///< [unit]
+
+    glm::dmat4 indexFromWorld() const;
+};
+
+enum class GridType { scalar, vector, other }; ///< float, vec3s, anything else
+
+/// Values of a box of voxels: x fastest, then y, z; components interleaved.
+struct DenseGrid {
+    glm::ivec3 size{0};
+    int components = 1;
+    std::vector<float> values;
+
+    size_t voxels() const { return values.size() / static_cast<size_t>(components); }
+};
+
+/// What is known of a grid without reading its values.
+struct GridFacts {
+    std::string name, type;
+    IndexBox active;
+};
+
+/// Contract names mapped to the names in the file, from `--grid-ior NAME` and its like.
+using GridNames = std::map<std::string, std::string>;
+
+/// How put() shall describe a grid.
+struct PutOptions {
+    glm::vec3 background{0.0f};
+    bool allActive = false;    ///< every voxel of the box is active; else only those off background
+    std::string vectorType{};  ///< VDB's name: "color", "vector"...; vectors only
+};
+
+/// One scene volume. Grids are read from the file when first asked for; those never asked for are
+/// read only if the volume is written again, and then copied through whatever they hold.
+class Volume {
+public:
+    /// An empty volume to put grids into.
+    explicit Volume(const Frame& frame);
+
+    /// Opens `path` ("-": standard input). Throws MissingError, or DataError if it is no VDB file,
+    /// is cut short, has no active voxel, no grids, or grids on different or unsuitable transforms.
+    static Volume open(const std::string& path, const GridNames& names = {});
+
+    ~Volume();
+    Volume(Volume&&) noexcept;
+    Volume& operator=(Volume&&) noexcept;
+
+    const std::string& path() const;
+    const Frame& frame() const;
+    /// The box of active voxels over all grids; the domain is this box padded by half a voxel.
+    const IndexBox& domain() const;
+    std::vector<GridFacts> grids() const;
+
+    /// Whether the grid of this contract name is there. Throws DataError if its type is not the
+    /// contract's.
+    bool has(const std::string& grid) const;
+    /// The background, or `absent` if the grid is not there. Checked like values.
+    glm::vec3 background(const std::string& grid, const glm::vec3& absent) const;
+    /// The values within `box`, checked against the contract's range for the name: finite, index
+    /// above 0, coefficients not negative, |g| < 1. Throws DataError naming grid and voxel.
+    DenseGrid dense(const std::string& grid, const IndexBox& box) const;
+    /// For a grid that must be there: throws DataError "no grid 'ior' (found: density)".
+    void require(const std::string& grid) const;
+
+    /// Adds or replaces a grid; `values` covers `box`. Throws InternalError on a NaN or infinity.
+    void put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
+             const PutOptions& options);
+    /// Adds a narrow-band signed distance [unit] to closed triangles in world space, negative
+    /// inside, `halfWidth` voxels wide either side, cut to `box`. (OpenVDB's mesh conversion.)
+    void putLevelSet(const std::string& grid, const IndexBox& box,
+                     const std::vector<glm::dvec3>& points,
+                     const std::vector<glm::uvec3>& triangles, double halfWidth);
+
+    /// A file's string metadata, or "".
+    std::string metadata(const std::string& key) const;
+    void setMetadata(const std::string& key, const std::string& value);
+
+    /// Writes every grid, with `history` appended to the file's own; the same content gives the
+    /// same bytes. Failures to write show in AtomicFile::finish().
+    void write(AtomicFile& out, const History& history) const;
+
+private:
+    struct Impl;
+    explicit Volume(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> mImpl;
+};
+
+} // namespace eikonal::volume

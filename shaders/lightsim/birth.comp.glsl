@@ -1,0 +1,58 @@
+// Photons from the photon map: one for every pixel that the light reaches (Sun et al. 2008, §4.3).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/lightsim_params.h"
+#include "lib/box.glsl"
+#include "lightsim/ledger.glsl"
+
+#ifndef BEND
+#error BEND must be 0 or 1
+#endif
+const bool kBend = BEND == 1;
+
+layout(local_size_x = 64) in;
+layout(std140, binding = 0) uniform Params { BirthParams params; };
+layout(std140, binding = 1) uniform Tracing { PhotonParams tracing; };
+layout(std430, binding = 1) writeonly buffer Photons { Photon photons[]; };
+layout(binding = 0) uniform sampler2D birthMap;
+#if BEND
+layout(binding = 1) uniform sampler3D field;
+#endif
+
+float indexAt(vec3 x) {
+#if BEND
+    return textureLod(field, (x + 1.5) / vec3(tracing.size.xyz + 2), 0.0).w;
+#else
+    return tracing.index.x;
+#endif
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, params.map.xy))) return;
+    vec4 met = texelFetch(birthMap, pixel, 0);
+    bool startsAtLight = params.origin.w == 1.0;
+    if (met.w == 0.0 && !startsAtLight) return;
+
+    vec2 at = params.window.xy + params.window.zw * (vec2(pixel) + 0.5) / vec2(params.map.xy);
+    vec3 direction = params.forward.xyz;
+    float weight = params.weight.x;
+    if (params.weight.y == 1.0) {
+        direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
+        // The solid angle of a pixel falls off as cos³ of the angle from the view's axis.
+        float q = 1.0 / (1.0 + dot(at, at));
+        weight *= q * sqrt(q);
+    }
+    vec3 x = startsAtLight ? params.origin.xyz : met.xyz;
+    if (any(lessThan(x, params.low.xyz)) || any(greaterThan(x, params.high.xyz))) {
+        // A proxy may reach beyond the domain; rounding may put a face's point just outside it.
+        vec2 span = boxSpan(x, direction, params.low.xyz, params.high.xyz);
+        if (span.x <= span.y && span.y > 0.0) x += max(span.x, 0.0) * direction;
+        x = clamp(x, params.low.xyz, params.high.xyz);
+    }
+    Photon photon;
+    photon.place = vec4(x, weight);
+    photon.wave = vec4(indexAt(x) * direction, weight);
+    photon.state = vec4(weight, 0.0, 0.0, 0.0);
+    photons[atomicAdd(nextCount, 1u)] = photon;
+    tally(kEmitted, weight);
+}

@@ -1,0 +1,44 @@
+// What the photon kernels are told. Read by C++ and GLSL; vec4-sized members only.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+struct OctreeParams {
+    ivec4 size;   // voxels along x, y, z; w: the pyramid's top level
+    ivec4 nodes;  // nodes along x, y, z of the level worked on; w: that level
+    ivec4 source; // nodes along x, y, z of the level read; w: its first node in the pyramid
+    ivec4 target; // x: the first node written; yzw unused
+    vec4 limits;  // x: tolerance ε, y: second tolerance ε', z: step limit under ε' [voxel]
+};
+
+struct BirthParams {
+    mat4 clipFromVoxel; // the light's view of one window of its photon map
+    vec4 right;         // voxel space; for a point light right, up, forward span its view
+    vec4 up;
+    vec4 forward;       // xyz: directional light's direction of travel, or the view's axis
+    vec4 window;        // tangents, or offsets [voxel], at the window's low corner, and its extents
+    vec4 origin;        // xyz: the light in voxels; w: 1 if photons start there, 0 at the map's depth
+    vec4 low;           // the domain's low corner [voxel]
+    vec4 high;          // the domain's high corner [voxel]
+    vec4 weight;        // x: a photon's weight straight ahead; y: 1 for a point light
+    ivec4 map;          // x, y: pixels of the map
+};
+
+struct PhotonParams {
+    ivec4 size;  // voxels along x, y, z; w: voxels in all
+    uvec4 list;  // x: photons in the list, y: steps of this dispatch, z: step limit of a photon
+    vec4 limits; // x: shortest step [voxel], y: a photon dimmer than this is dropped
+    vec4 colour; // xyz: the light's RGB over their sum, the weights of its direction
+    vec4 index;  // x: the index, where it does not vary
+};
+
+struct ResolveParams {
+    ivec4 size;     // voxels along x, y, z; w: voxels in all
+    ivec4 planes;   // x: planes traced, y: planes of fluence, z: axis to smooth, w: this plane
+    vec4 fluence;   // per channel: fluence of one unit of fixed point [W/m²]
+    vec4 direction; // x: the same for the direction planes
+};
+
+struct Photon {
+    vec4 place; // x [voxel], and the red (or only) weight
+    vec4 wave;  // w = n dx/ds, and the green weight
+    vec4 state; // blue weight, steps so far; zw unused
+};
