@@ -49,10 +49,10 @@ std::vector<Candidate> candidates() {
 class Context {
 public:
     explicit Context(const Candidate& candidate) {
-        mDisplay = candidate.device
-                       ? eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, candidate.device, nullptr)
-                       : eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
-                                                  EGL_DEFAULT_DISPLAY, nullptr);
+        mDisplay = candidate.device ? eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
+                                                               candidate.device, nullptr)
+                                    : eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
+                                                               EGL_DEFAULT_DISPLAY, nullptr);
         EGLint major = 0, minor = 0;
         if (mDisplay == EGL_NO_DISPLAY || !eglInitialize(mDisplay, &major, &minor)) return;
         const char* words = eglQueryString(mDisplay, EGL_EXTENSIONS);
@@ -65,9 +65,13 @@ public:
             EGLint count = 0;
             if (!eglChooseConfig(mDisplay, wanted, &config, 1, &count) || count == 0) return;
         }
-        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                  4,
+                                  EGL_CONTEXT_MINOR_VERSION,
+                                  5,
                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                  EGL_NONE};
         mContext = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, version);
         mCurrent = mContext != EGL_NO_CONTEXT &&
                    eglMakeCurrent(mDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, mContext);
@@ -122,8 +126,8 @@ Limits readLimits(bool software) {
     limits.storageBufferBytes = bytes;
     limits.texture3d = glInteger(GL_MAX_3D_TEXTURE_SIZE);
     limits.texture2d = glInteger(GL_MAX_TEXTURE_SIZE);
-    limits.framebuffer = std::min(glInteger(GL_MAX_FRAMEBUFFER_WIDTH),
-                                  glInteger(GL_MAX_FRAMEBUFFER_HEIGHT));
+    limits.framebuffer =
+        std::min(glInteger(GL_MAX_FRAMEBUFFER_WIDTH), glInteger(GL_MAX_FRAMEBUFFER_HEIGHT));
     if (software) {
         limits.memoryBytes = availableHostBytes();
     } else if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) {
@@ -148,7 +152,8 @@ DeviceChoice parseDeviceChoice(const std::string& text) {
         return choice;
     }
     if (text.empty() || text.size() > 4 || text.find_first_not_of("0123456789") != text.npos)
-        throw UsageError("--device: found '" + text + "', expected auto, software, list or a number");
+        throw UsageError("--device: found '" + text +
+                         "', expected auto, software, list or a number");
     choice.kind = DeviceChoice::Kind::index;
     choice.index = std::stoi(text);
     return choice;
@@ -186,8 +191,10 @@ Device::Device(const DeviceChoice& choice) : mImpl(new Impl) {
     if (choice.kind == DeviceChoice::Kind::index) {
         int index = choice.index;
         for (const Candidate& candidate : all)
-            if (mImpl->open(candidate) && index-- == 0) break;
-            else mImpl->context.reset();
+            if (mImpl->open(candidate) && index-- == 0)
+                break;
+            else
+                mImpl->context.reset();
         if (!mImpl->context)
             throw DeviceError("--device " + std::to_string(choice.index) +
                               ": no such device (--device list names them)");
@@ -202,7 +209,8 @@ Device::Device(const DeviceChoice& choice) : mImpl(new Impl) {
         if (!mImpl->context)
             throw DeviceError(std::string("no ") + (softwareOnly ? "software " : "") +
                               "device gives an OpenGL 4.5 core context through EGL (looked at " +
-                              std::to_string(all.size()) + "); libegl-mesa0 and libgl1-mesa-dri "
+                              std::to_string(all.size()) +
+                              "); libegl-mesa0 and libgl1-mesa-dri "
                               "bring a software one");
     }
     if (choice.requireGpu && mImpl->info.software)

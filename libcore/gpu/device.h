@@ -63,7 +63,8 @@ public:
     /// Throws MemoryError naming the bytes needed if `needs` can't all be held at once.
     void requireFit(const std::vector<Need>& needs) const;
 
-    /// Throws InternalError, or MemoryError, if OpenGL has reported an error; `where` names the pass.
+    /// Throws InternalError, or MemoryError, if OpenGL has reported an error; `where` names the
+    /// pass.
     void check(const std::string& where) const;
 
     /// Bookkeeping for gpu objects: a (de)allocation of so many bytes.

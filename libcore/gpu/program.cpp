@@ -44,10 +44,12 @@ public:
             ++number;
             const std::string here = path + ":" + std::to_string(number);
             const size_t open = line.find('"'), close = line.rfind('"');
-            if (line.rfind("#include", 0) != 0) addLine(line, path, number);
+            if (line.rfind("#include", 0) != 0)
+                addLine(line, path, number);
             else if (open == std::string::npos || close <= open)
                 throw InternalError(here + ": expected #include \"room/file\"");
-            else addFile(line.substr(open + 1, close - open - 1), here);
+            else
+                addFile(line.substr(open + 1, close - open - 1), here);
         }
     }
 
@@ -150,8 +152,8 @@ void Program::link(const std::vector<std::pair<unsigned, std::string>>& stages,
         GLint linked = 0;
         glGetProgramiv(mName, GL_LINK_STATUS, &linked);
         if (!linked)
-            throw InternalError("shader " + stages.front().second + " does not link: " +
-                                programLog(mName));
+            throw InternalError("shader " + stages.front().second +
+                                " does not link: " + programLog(mName));
     } catch (...) {
         glDeleteProgram(mName); // the destructor of a half-made object does not run
         mName = 0;

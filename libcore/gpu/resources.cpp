@@ -70,11 +70,16 @@ struct FormatFacts {
 
 FormatFacts facts(TexelFormat format) {
     switch (format) {
-    case TexelFormat::r32f: return {GL_R32F, GL_RED, GL_FLOAT, 1, 4};
-    case TexelFormat::rg32f: return {GL_RG32F, GL_RG, GL_FLOAT, 2, 8};
-    case TexelFormat::rgba32f: return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16};
-    case TexelFormat::r8ui: return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, 1};
-    case TexelFormat::r32ui: return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4};
+    case TexelFormat::r32f:
+        return {GL_R32F, GL_RED, GL_FLOAT, 1, 4};
+    case TexelFormat::rg32f:
+        return {GL_RG32F, GL_RG, GL_FLOAT, 2, 8};
+    case TexelFormat::rgba32f:
+        return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16};
+    case TexelFormat::r8ui:
+        return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, 1};
+    case TexelFormat::r32ui:
+        return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4};
     }
     return {};
 }
@@ -93,8 +98,10 @@ Texture::Texture(Device& device, glm::ivec3 size, TexelFormat format, Filter fil
     : mDevice(&device), mSize(size), mFormat(format) {
     const bool flat = size.z == 0;
     glCreateTextures(flat ? GL_TEXTURE_2D : GL_TEXTURE_3D, 1, &mName);
-    if (flat) glTextureStorage2D(mName, 1, facts(format).internal, size.x, size.y);
-    else glTextureStorage3D(mName, 1, facts(format).internal, size.x, size.y, size.z);
+    if (flat)
+        glTextureStorage2D(mName, 1, facts(format).internal, size.x, size.y);
+    else
+        glTextureStorage3D(mName, 1, facts(format).internal, size.x, size.y, size.z);
     const GLint filtering = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
     glTextureParameteri(mName, GL_TEXTURE_MIN_FILTER, filtering);
     glTextureParameteri(mName, GL_TEXTURE_MAG_FILTER, filtering);

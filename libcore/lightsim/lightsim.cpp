@@ -30,7 +30,13 @@ using gpu::Texture;
 constexpr double kFixedOne = 4194304.0;
 constexpr size_t kLedgerSlots = 256, kAccounts = 16;
 enum Account : size_t {
-    emitted = 0, absorbed = 1, scattered = 4, escaped = 7, lost = 10, steps = 13, deposits = 14,
+    emitted = 0,
+    absorbed = 1,
+    scattered = 4,
+    escaped = 7,
+    lost = 10,
+    steps = 13,
+    deposits = 14,
     trapped = 15
 };
 
@@ -167,8 +173,8 @@ void Simulation::uploadMedium() {
         mAbsorption = texture(gpu::TexelFormat::rg32f, both.data());
     } else if (mPlan.attenuates) {
         std::vector<float> rgba(voxels * 4);
-        for (auto [from, to] : {std::pair{&mPlan.absorption, &mAbsorption},
-                                {&mPlan.scattering, &mScattering}}) {
+        for (auto [from, to] :
+             {std::pair{&mPlan.absorption, &mAbsorption}, {&mPlan.scattering, &mScattering}}) {
             for (size_t i = 0; i < voxels; ++i)
                 for (int c = 0; c < 3; ++c) rgba[4 * i + c] = from->at(i, c) * perVoxel;
             *to = texture(gpu::TexelFormat::rgba32f, rgba.data());
@@ -223,8 +229,8 @@ void Simulation::traceLight(const Light& light, const Progress& progress) {
     if (total <= 0) return;
     mTracing.colour = vec4(light.rgb / total, 0);
     // The golden ratio's powers spread successive seeds evenly over a pixel.
-    const dvec2 shift = glm::fract(static_cast<double>(mParams.seed) * dvec2(0.7548776662466927,
-                                                                              0.5698402909980532));
+    const dvec2 shift = glm::fract(static_cast<double>(mParams.seed) *
+                                   dvec2(0.7548776662466927, 0.5698402909980532));
     const std::vector<Window> windows =
         windowsOf(light, mTarget, mDomain, mParams.photons, shift, !mParams.proxy.empty());
     for (size_t w = 0; w < windows.size(); ++w) {
@@ -313,8 +319,7 @@ std::uint32_t Simulation::bear(const Window& window, double weight) {
     return born;
 }
 
-std::uint32_t Simulation::march(std::uint32_t count, const Progress& progress,
-                                std::uint32_t born) {
+std::uint32_t Simulation::march(std::uint32_t count, const Progress& progress, std::uint32_t born) {
     mProfiler.begin("photons");
     mTracing.list.x = count;
     mParamsBlock.upload(&mTracing, sizeof mTracing);
@@ -362,8 +367,8 @@ void Simulation::dispatchVoxels(const Program& program) const {
     // Rows of 2^20 voxels: one dimension alone holds 65,535 groups at least, not more.
     const std::int64_t row = 1 << 20;
     const std::int64_t voxels = mPlan.voxels();
-    program.dispatch({static_cast<int>(std::min(voxels, row)),
-                      static_cast<int>((voxels + row - 1) / row), 1});
+    program.dispatch(
+        {static_cast<int>(std::min(voxels, row)), static_cast<int>((voxels + row - 1) / row), 1});
 }
 
 void Simulation::resolve(const Light& light, double powerPerWeight) {

@@ -13,8 +13,7 @@ namespace eikonal::lightsim {
 namespace {
 
 void require(bool holds, const std::string& option, double found, const std::string& wanted) {
-    if (!holds)
-        throw UsageError(option + ": found " + toText(found) + ", expected " + wanted);
+    if (!holds) throw UsageError(option + ": found " + toText(found) + ", expected " + wanted);
 }
 
 } // namespace
@@ -26,9 +25,12 @@ Light parseLight(const std::string& spec) {
     };
     const std::vector<std::string> parts = split(spec, ':');
     Light light;
-    if (parts[0] == "directional") light.kind = Light::Kind::directional;
-    else if (parts[0] == "point") light.kind = Light::Kind::point;
-    else throw bad("no such kind of light");
+    if (parts[0] == "directional")
+        light.kind = Light::Kind::directional;
+    else if (parts[0] == "point")
+        light.kind = Light::Kind::point;
+    else
+        throw bad("no such kind of light");
     if (parts.size() < 2 || parts.size() > 3) throw bad("wrong number of parts");
     const auto vector = parseNumbers(parts[1]);
     if (!vector || vector->size() != 3) throw bad("no three numbers");
@@ -43,8 +45,7 @@ Light parseLight(const std::string& spec) {
         if (!rgb || (rgb->size() != 3 && rgb->size() != 1)) throw bad("no three numbers");
         const size_t last = rgb->size() - 1;
         light.rgb = {(*rgb)[0], (*rgb)[last / 2], (*rgb)[last]};
-        if (light.rgb.x < 0 || light.rgb.y < 0 || light.rgb.z < 0)
-            throw bad("a colour below 0");
+        if (light.rgb.x < 0 || light.rgb.y < 0 || light.rgb.z < 0) throw bad("a colour below 0");
     }
     return light;
 }

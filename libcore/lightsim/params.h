@@ -25,19 +25,19 @@ using Triangles = std::vector<glm::dvec3>;
 
 struct Params {
     std::vector<Light> lights;
-    std::int64_t photons = 1 << 20;  ///< pixels of each light's photon map
-    double tolerance = 0.005;        ///< ε: index range within which a leaf counts as constant [1]
-    double secondTolerance = 0.02;   ///< ε': range within which a leaf limits the step [1]
-    double stepLimit = 8;            ///< longest step in such a leaf [voxel]
-    double stepMin = 1;              ///< shortest step [voxel]
-    int maxSteps = 1 << 16;          ///< of one photon, after which it counts as trapped
-    double dropBelow = 1e-5;         ///< a photon is dropped at this share of its first power
-    double thinTo = 0.001;           ///< tracing ends when this share of the photons is left
-    int smoothing = 1;               ///< rounds of 3×3×3 smoothing of the result
-    bool automaticOutputs = true;    ///< what a render of the file needs; else `outputs`
+    std::int64_t photons = 1 << 20; ///< pixels of each light's photon map
+    double tolerance = 0.005;       ///< ε: index range within which a leaf counts as constant [1]
+    double secondTolerance = 0.02;  ///< ε': range within which a leaf limits the step [1]
+    double stepLimit = 8;           ///< longest step in such a leaf [voxel]
+    double stepMin = 1;             ///< shortest step [voxel]
+    int maxSteps = 1 << 16;         ///< of one photon, after which it counts as trapped
+    double dropBelow = 1e-5;        ///< a photon is dropped at this share of its first power
+    double thinTo = 0.001;          ///< tracing ends when this share of the photons is left
+    int smoothing = 1;              ///< rounds of 3×3×3 smoothing of the result
+    bool automaticOutputs = true;   ///< what a render of the file needs; else `outputs`
     Output outputs = Output::both;
-    std::uint32_t seed = 0;          ///< shifts the photon maps by part of a pixel
-    Triangles proxy;                 ///< photons start on it instead of on the domain's faces
+    std::uint32_t seed = 0; ///< shifts the photon maps by part of a pixel
+    Triangles proxy;        ///< photons start on it instead of on the domain's faces
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;

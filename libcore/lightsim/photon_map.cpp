@@ -91,8 +91,8 @@ void layPixels(Window& window, const Bounds& bounds, double pixel, const dvec2& 
     window.low = dvec2(bounds.low) - shift * pixel;
 }
 
-std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target,
-                                   std::int64_t photons, const dvec2& shift) {
+std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target, std::int64_t photons,
+                                   const dvec2& shift) {
     Window window;
     aim(window, glm::normalize(light.vector));
     Bounds bounds;

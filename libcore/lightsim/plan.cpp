@@ -19,8 +19,8 @@ bool isGrey(const glm::dvec3& rgb) {
 /// What a render of the file would read: light where it scatters or meets an opaque surface.
 Output neededOutputs(const volume::Volume& volume, const Plan& plan) {
     if (!plan.scattering.present && !plan.opacity.present) return Output::none;
-    const bool lobes = plan.scattering.present &&
-                       medium::readCoefficient(volume, "anisotropy").present;
+    const bool lobes =
+        plan.scattering.present && medium::readCoefficient(volume, "anisotropy").present;
     return lobes || plan.opacity.present ? Output::both : Output::fluence;
 }
 
@@ -55,8 +55,7 @@ void listEffects(Plan& plan, const Params& params, const volume::Volume& volume)
         plan.attenuates ? (plan.colour ? "coefficients differ by wavelength" : "the medium is grey")
                         : "nothing absorbs or scatters");
     add("opaque", runs && plan.opaque, present("opacity", plan.opacity));
-    if (volume.has("dispersion"))
-        add("dispersion", false, "photons are traced at 587.6 nm alone");
+    if (volume.has("dispersion")) add("dispersion", false, "photons are traced at 587.6 nm alone");
     if (runs && plan.index.jumpAtFaces > 1e-3f)
         plan.warnings.push_back("the index jumps by " + toText(plan.index.jumpAtFaces) +
                                 " at the domain's faces, which do not refract");

@@ -14,8 +14,8 @@ namespace eikonal::lightsim {
 
 /// The volume as the light sees it, and which effects are worth simulating.
 struct Plan {
-    glm::ivec3 size{0};      ///< [voxel]
-    double voxelSize = 1;    ///< [unit]
+    glm::ivec3 size{0};   ///< [voxel]
+    double voxelSize = 1; ///< [unit]
     Output outputs = Output::none;
     bool bends = false;      ///< the index varies
     bool attenuates = false; ///< something absorbs or scatters

@@ -82,8 +82,7 @@ gpu::Texture makeField(gpu::Device& device, const volume::DenseGrid& index) {
 void extendPadding(std::vector<float>& padded, ivec3 size, int components, bool floorAtZero) {
     const ivec3 outer = size + 2;
     const auto at = [&](int x, int y, int z) {
-        return padded.data() +
-               ((static_cast<size_t>(z) * outer.y + y) * outer.x + x) * components;
+        return padded.data() + ((static_cast<size_t>(z) * outer.y + y) * outer.x + x) * components;
     };
     const auto extend = [&](float* out, const float* face, const float* behind) {
         for (int c = 0; c < components; ++c) {

@@ -16,9 +16,9 @@ namespace eikonal::medium {
 
 /// A coefficient grid on the host, or its one value where it does not vary.
 struct Coefficient {
-    volume::DenseGrid grid;  ///< empty if absent
-    bool present = false;    ///< the file has it and some value is not 0
-    bool grey = true;        ///< R = G = B everywhere
+    volume::DenseGrid grid; ///< empty if absent
+    bool present = false;   ///< the file has it and some value is not 0
+    bool grey = true;       ///< R = G = B everywhere
 
     /// Component c of voxel i; a grid of one component answers for all three; 0 if not present.
     float at(size_t i, int c) const {

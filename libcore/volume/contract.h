@@ -12,9 +12,9 @@ namespace eikonal::volume {
 struct GridRule {
     const char* name;
     GridType type;
-    float least, most;       ///< range of valid values
+    float least, most;        ///< range of valid values
     bool leastOpen, mostOpen; ///< the end itself is not valid
-    const char* wanted;      ///< the range in words, for messages
+    const char* wanted;       ///< the range in words, for messages
 };
 
 /// The rule for a grid of the contract, or null for any other name.

@@ -77,8 +77,7 @@ protected:
         if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
         const std::streamoff inside = mPosition++ - kIdentifierAt;
         const bool replace = inside >= 0 && inside < kIdentifierLength;
-        mOut.put(replace ? mIdentity[static_cast<size_t>(inside)]
-                         : traits_type::to_char_type(c));
+        mOut.put(replace ? mIdentity[static_cast<size_t>(inside)] : traits_type::to_char_type(c));
         return mOut ? c : traits_type::eof();
     }
     pos_type seekoff(off_type, std::ios_base::seekdir, std::ios_base::openmode) override {

@@ -89,9 +89,9 @@ bool nearlyEqual(const Frame& a, const Frame& b) {
     const double kTolerance = 1e-6; // files carry doubles; some writers go through float
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) {
-            const double scale = column == 3 ? std::max(std::abs(a.worldFromIndex[column][row]),
-                                                        a.voxelSize)
-                                             : a.voxelSize;
+            const double scale =
+                column == 3 ? std::max(std::abs(a.worldFromIndex[column][row]), a.voxelSize)
+                            : a.voxelSize;
             if (std::abs(a.worldFromIndex[column][row] - b.worldFromIndex[column][row]) >
                 kTolerance * scale)
                 return false;
@@ -128,8 +128,8 @@ std::int64_t firstFault(const GridRule* rule, const DenseGrid& grid) {
         if (inside && !(open && onEnd)) return;
         for (size_t i = 0; i < slice; ++i)
             if (fault(rule, values[i])) {
-                found[static_cast<size_t>(z)] = static_cast<std::int64_t>(slice) * z +
-                                                static_cast<std::int64_t>(i);
+                found[static_cast<size_t>(z)] =
+                    static_cast<std::int64_t>(slice) * z + static_cast<std::int64_t>(i);
                 return;
             }
     });
@@ -146,8 +146,7 @@ glm::ivec3 voxelAt(const DenseGrid& grid, std::int64_t value) {
 }
 
 /// Copies a tree's values in the box, active or not, into a dense array.
-template<typename GridT>
-void copyOut(const GridT& grid, const IndexBox& box, DenseGrid& out) {
+template<typename GridT> void copyOut(const GridT& grid, const IndexBox& box, DenseGrid& out) {
     using Value = typename GridT::ValueType;
     openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(
         toBox(box), reinterpret_cast<Value*>(out.values.data()));
@@ -299,8 +298,10 @@ struct Volume::Impl {
     void replace(const GridBase::Ptr& grid, const IndexBox& active) {
         Entry* old = find(grid->getName());
         grid->setName(nameInFile(grid->getName()));
-        if (old) *old = {grid, active, true};
-        else entries.push_back({grid, active, true});
+        if (old)
+            *old = {grid, active, true};
+        else
+            entries.push_back({grid, active, true});
         domain.include(active);
     }
 };
@@ -321,8 +322,10 @@ Volume Volume::open(const std::string& path, const GridNames& names) {
     impl->path = path == "-" ? "standard input" : path;
     impl->names = names;
     try {
-        if (path == "-") impl->readStream(std::cin);
-        else impl->openFile();
+        if (path == "-")
+            impl->readStream(std::cin);
+        else
+            impl->openFile();
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
@@ -401,8 +404,10 @@ DenseGrid Volume::dense(const std::string& grid, const IndexBox& box) const {
                         ", expected float or vec3s");
     out.components = vector ? 3 : 1;
     out.values.resize(static_cast<size_t>(box.voxels()) * out.components);
-    if (vector) copyOut(*openvdb::gridConstPtrCast<Vec3SGrid>(entry.grid), box, out);
-    else copyOut(*openvdb::gridConstPtrCast<FloatGrid>(entry.grid), box, out);
+    if (vector)
+        copyOut(*openvdb::gridConstPtrCast<Vec3SGrid>(entry.grid), box, out);
+    else
+        copyOut(*openvdb::gridConstPtrCast<FloatGrid>(entry.grid), box, out);
     const GridRule* rule = ruleFor(grid);
     const std::int64_t at = firstFault(rule, out);
     if (at >= 0)
@@ -435,9 +440,9 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
     made->setName(grid);
     made->setCreator("eikonal");
     const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
-    mImpl->replace(made, active.empty() ? IndexBox{}
-                                        : IndexBox{fromCoord(active.min()),
-                                                   fromCoord(active.max())});
+    mImpl->replace(made, active.empty()
+                             ? IndexBox{}
+                             : IndexBox{fromCoord(active.min()), fromCoord(active.max())});
 }
 
 void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
@@ -459,8 +464,9 @@ void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
                                                           static_cast<float>(halfWidth));
     made->tree().clip(toBox(box));
     const float size = static_cast<float>(mImpl->frame.voxelSize);
-    openvdb::tools::foreach(made->beginValueAll(),
-                            [size](const FloatGrid::ValueAllIter& it) { it.setValue(*it * size); });
+    openvdb::tools::foreach (made->beginValueAll(), [size](const FloatGrid::ValueAllIter& it) {
+        it.setValue(*it * size);
+    });
     openvdb::tools::changeBackground(made->tree(), static_cast<float>(halfWidth) * size);
     made->setTransform(toTransform(mImpl->frame));
     made->setGridClass(openvdb::GRID_LEVEL_SET);
@@ -483,9 +489,10 @@ void Volume::setMetadata(const std::string& key, const std::string& value) {
 void Volume::write(AtomicFile& out, const History& history) const {
     openvdb::MetaMap metadata(mImpl->metadata);
     const std::string command = appendHistory(this->metadata("eikonal:command"), history.command);
-    for (const auto& [key, value] : {std::pair<std::string, std::string>{"eikonal:tool", history.tool},
-                                     {"eikonal:version", history.version},
-                                     {"eikonal:command", command}}) {
+    for (const auto& [key, value] :
+         {std::pair<std::string, std::string>{"eikonal:tool", history.tool},
+          {"eikonal:version", history.version},
+          {"eikonal:command", command}}) {
         metadata.removeMeta(key);
         metadata.insertMeta(key, openvdb::StringMetadata(value));
     }

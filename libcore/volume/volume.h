@@ -20,9 +20,7 @@ struct IndexBox {
 
     bool empty() const { return max.x < min.x || max.y < min.y || max.z < min.z; }
     glm::ivec3 size() const { return empty() ? glm::ivec3(0) : max - min + 1; }
-    std::int64_t voxels() const {
-        return std::int64_t{size().x} * size().y * size().z;
-    }
+    std::int64_t voxels() const { return std::int64_t{size().x} * size().y * size().z; }
     void include(const IndexBox& other);
     bool operator==(const IndexBox&) const = default;
 };
@@ -58,8 +56,8 @@ using GridNames = std::map<std::string, std::string>;
 /// How put() shall describe a grid.
 struct PutOptions {
     glm::vec3 background{0.0f};
-    bool allActive = false;    ///< every voxel of the box is active; else only those off background
-    std::string vectorType{};  ///< VDB's name: "color", "vector"...; vectors only
+    bool allActive = false;   ///< every voxel of the box is active; else only those off background
+    std::string vectorType{}; ///< VDB's name: "color", "vector"...; vectors only
 };
 
 /// One scene volume. Grids are read from the file when first asked for; those never asked for are

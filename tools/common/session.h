@@ -1,0 +1,106 @@
+// What every stage's main shares: common options, outputs, progress, statistics, exit statuses.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/history.h"
+#include "base/progress.h"
+#include "base/stats.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace eikonal::gpu {
+class Device;
+}
+
+namespace eikonal::tool {
+
+/// One run of a tool. The tool adds its own options to app(), then calls run().
+class Session {
+public:
+    Session(const std::string& name, const std::string& description);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    CLI::App& app() { return mApp; }
+
+    /// Parses the command line, does `work`, and returns the exit status. Every error becomes one
+    /// line on standard error; no output is left unless all went well.
+    int run(int argc, char** argv, const std::function<void(Session&)>& work);
+
+    // For `work`:
+
+    std::uint32_t seed() const { return mSeed; }
+    bool explains() const { return mExplain; }
+    /// Prints the plan on standard output: effects, and further "name: text" lines.
+    void explain(const std::vector<Effect>& effects, const std::vector<std::string>& warnings,
+                 const std::vector<std::pair<std::string, std::string>>& facts) const;
+
+    /// Refuses an output that is one of the inputs, or two inputs from standard input.
+    void guardInputs(const std::vector<std::string>& inputs) const;
+    /// The outputs, created on the first call; in the order of -o.
+    std::vector<std::unique_ptr<AtomicFile>>& outputs();
+    const std::vector<std::string>& outputPaths() const { return mOutputPaths; }
+    /// A further output beside -o, written with them.
+    AtomicFile& extraOutput(const std::string& path);
+
+    gpu::Device& device(); ///< opened on the first call
+    int threads() const { return mThreads; }
+    Stats& stats() { return mStats; }
+    /// Times `work` on the host alone as a pass.
+    void pass(const std::string& name, const std::function<void()>& work);
+    Progress progress();
+    void say(const std::string& line) const;  ///< under --verbose
+    void note(const std::string& line) const; ///< unless --quiet
+    void warn(const std::string& line);       ///< unless --quiet; kept for --stats
+    History history() const;
+
+private:
+    int guarded(const std::function<void()>& body);
+    void parse(int argc, char** argv);
+    void finish();
+    std::string statsText() const;
+
+    std::string mName;
+    CLI::App mApp;
+    CLI::Option* mOutputOption = nullptr;
+    std::vector<std::string> mArguments;
+    std::vector<std::string> mOutputPaths;
+    std::string mStatsPath, mDeviceName = "auto", mProgressMode;
+    bool mExplain = false, mRequireGpu = false, mQuiet = false, mVerbose = false;
+    bool mNoClobber = false;
+    int mThreads = 0;
+    std::uint32_t mSeed = 0;
+    std::vector<std::unique_ptr<AtomicFile>> mOutputs, mExtraOutputs;
+    std::unique_ptr<AtomicFile> mStatsFile;
+    std::unique_ptr<gpu::Device> mDevice;
+    struct ThreadLimit;
+    std::unique_ptr<ThreadLimit> mThreadLimit;
+    Stats mStats;
+    double mBegan = 0;
+    int mLastPercent = -1;
+    bool mBarDrawn = false;
+};
+
+/// `--grid-ior NAME` and its like for the named grids.
+void addGridNames(CLI::App& app, std::map<std::string, std::string>& names,
+                  const std::vector<std::string>& grids);
+
+/// "X,Y,Z" into a vector; one number stands for all three where `splat`. Throws UsageError naming
+/// the option.
+glm::dvec3 parseVector(const std::string& option, const std::string& text, bool splat = false);
+
+/// An option whose text is a vector "X,Y,Z", parsed by parseVector.
+CLI::Option* addVector(CLI::App& app, const std::string& name, glm::dvec3& value,
+                       const std::string& help, bool splat = false);
+
+} // namespace eikonal::tool

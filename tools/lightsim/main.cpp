@@ -1,0 +1,163 @@
+// lightsim: sends the light of a scene through its volume and stores what arrives in each voxel.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/text.h"
+#include "common/session.h"
+#include "lightsim/lightsim.h"
+#include "mesh/read.h"
+
+using namespace eikonal;
+
+namespace {
+
+struct Options {
+    std::string input, method = "photons", outputs = "auto", proxy, octree;
+    std::vector<std::string> lights;
+    volume::GridNames names;
+    lightsim::Params params;
+};
+
+void addOptions(CLI::App& app, Options& o) {
+    lightsim::Params& p = o.params;
+    app.add_option("input", o.input, "scene volume; - is standard input")
+        ->type_name("IN.vdb")
+        ->required();
+    app.add_option("--light", o.lights,
+                   "directional:DX,DY,DZ[:R,G,B], the direction the light travels in and its "
+                   "irradiance [W/m²], or point:X,Y,Z[:R,G,B], its position and radiant intensity "
+                   "[W/sr]; may be given again")
+        ->type_name("SPEC")
+        ->required()
+        ->allow_extra_args(false);
+    app.add_option("--method", o.method, "how light is carried: photons")
+        ->check(CLI::IsMember({"photons"}))
+        ->capture_default_str();
+    app.add_option("--outputs", o.outputs,
+                   "auto (what a render of the file needs, possibly nothing), or a list of "
+                   "fluence,light_direction")
+        ->type_name("LIST")
+        ->capture_default_str();
+    app.add_option("--photons", p.photons, "pixels of each light's photon map")
+        ->type_name("N")
+        ->capture_default_str();
+    app.add_option("--tolerance", p.tolerance, "index range within which a leaf is constant")
+        ->type_name("E")
+        ->capture_default_str();
+    app.add_option("--tolerance2", p.secondTolerance, "index range within which steps are limited")
+        ->type_name("E")
+        ->capture_default_str();
+    app.add_option("--step-limit", p.stepLimit, "longest step within --tolerance2 [voxel]")
+        ->type_name("VOXELS")
+        ->capture_default_str();
+    app.add_option("--step-min", p.stepMin, "shortest step [voxel]")
+        ->type_name("VOXELS")
+        ->capture_default_str();
+    app.add_option("--max-steps", p.maxSteps, "steps after which a photon counts as trapped")
+        ->type_name("N")
+        ->capture_default_str();
+    app.add_option("--drop-below", p.dropBelow, "drop a photon at this share of its power")
+        ->type_name("SHARE")
+        ->capture_default_str();
+    app.add_option("--thin-to", p.thinTo, "stop when this share of the photons is left")
+        ->type_name("SHARE")
+        ->capture_default_str();
+    app.add_option("--smoothing", p.smoothing, "rounds of 3x3x3 smoothing of the result")
+        ->type_name("N")
+        ->capture_default_str();
+    app.add_option("--proxy", o.proxy,
+                   "closed mesh on which photons start, not on the domain's box")
+        ->type_name("MESH");
+    app.add_option("--dump-octree", o.octree,
+                   "write the octree that photons step by: grids octree_level, octree_step [voxel]")
+        ->type_name("FILE.vdb");
+    tool::addGridNames(app, o.names, {"ior", "absorption", "scattering", "anisotropy", "opacity"});
+}
+
+lightsim::Output parseOutputs(const std::string& list) {
+    unsigned outputs = 0;
+    for (const std::string& item : split(list, ',')) {
+        if (item == "fluence")
+            outputs |= static_cast<unsigned>(lightsim::Output::fluence);
+        else if (item == "light_direction")
+            outputs |= static_cast<unsigned>(lightsim::Output::direction);
+        else
+            throw UsageError("--outputs: found '" + item +
+                             "', expected auto, fluence or light_direction");
+    }
+    return static_cast<lightsim::Output>(outputs);
+}
+
+lightsim::Triangles readProxy(const std::string& path) {
+    const mesh::TriangleMesh mesh = mesh::readMesh(path);
+    lightsim::Triangles corners;
+    for (const glm::uvec3& triangle : mesh.triangles)
+        for (int i = 0; i < 3; ++i) corners.push_back(mesh.points[triangle[i]]);
+    return corners;
+}
+
+void writeOctree(tool::Session& session, const Options& o, const volume::Volume& in,
+                 const lightsim::Plan& plan) {
+    const lightsim::OctreeDump dump = lightsim::dumpOctree(session.device(), plan, o.params);
+    volume::Volume out(in.frame());
+    volume::PutOptions options;
+    options.allActive = true;
+    out.put("octree_level", in.domain(), dump.level, options);
+    out.put("octree_step", in.domain(), dump.stepLimit, options);
+    out.write(session.extraOutput(o.octree), session.history());
+}
+
+void simulate(tool::Session& session, Options& o) {
+    for (const std::string& spec : o.lights) o.params.lights.push_back(lightsim::parseLight(spec));
+    o.params.automaticOutputs = o.outputs == "auto";
+    if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
+    o.params.seed = session.seed();
+    o.params.check();
+    session.guardInputs({o.input});
+    if (!o.proxy.empty()) o.params.proxy = readProxy(o.proxy);
+
+    std::optional<volume::Volume> volume;
+    std::optional<lightsim::Plan> plan;
+    session.pass("read", [&] {
+        volume.emplace(volume::Volume::open(o.input, o.names));
+        plan = lightsim::makePlan(*volume, o.params);
+    });
+    if (session.explains()) {
+        session.explain(
+            plan->effects, plan->warnings,
+            {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
+                            " x " + std::to_string(plan->size.z)},
+             {"lights", std::to_string(o.params.lights.size())},
+             {"photons", std::to_string(o.params.photons) + " per light at most"}});
+        return;
+    }
+    session.stats().effects = plan->effects;
+    for (const std::string& warning : plan->warnings) session.warn(warning);
+    AtomicFile& out = *session.outputs().at(0);
+    if (!o.octree.empty()) writeOctree(session, o, *volume, *plan);
+    if (plan->outputs == lightsim::Output::none) {
+        session.note("nothing in " + volume->path() +
+                     " scatters or receives light: nothing to simulate");
+    } else {
+        lightsim::Result result = lightsim::simulate(session.device(), *volume, *plan, o.params,
+                                                     session.stats(), session.progress());
+        session.pass("grids", [&] {
+            volume::PutOptions options;
+            options.vectorType = "color";
+            if (plan->wants(lightsim::Output::fluence))
+                volume->put("fluence", volume->domain(), result.fluence, options);
+            options.vectorType = "vector";
+            if (plan->wants(lightsim::Output::direction))
+                volume->put("light_direction", volume->domain(), result.direction, options);
+        });
+    }
+    session.pass("write", [&] { volume->write(out, session.history()); });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    tool::Session session("lightsim", "Sends light through a scene volume along curved paths and "
+                                      "writes fluence and direction per voxel.");
+    Options options;
+    addOptions(session.app(), options);
+    return session.run(argc, argv, [&](tool::Session&) { simulate(session, options); });
+}
