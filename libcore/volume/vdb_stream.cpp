@@ -25,6 +25,8 @@ public:
     VdbHeader header(std::istream& in) {
         VdbHeader result;
         readHeader(in);
+        setFormatVersion(in); // what follows is read by the stream's version
+        setLibraryVersion(in);
         result.hasOffsets = inputHasGridOffsets();
         if (!result.hasOffsets) return result;
         openvdb::MetaMap metadata;
