@@ -169,6 +169,18 @@ typename GridT::Ptr copyIn(const IndexBox& box, const DenseGrid& in,
     return grid;
 }
 
+/// Hands on what the grid that `made` replaces says of itself, and its active voxels if asked to.
+template<typename GridT> void inherit(GridT& made, const GridBase& old, bool keepActive) {
+    // Items of the same name may differ in type, which insertMeta() refuses to replace.
+    for (auto item = old.beginMeta(); item != old.endMeta(); ++item) {
+        made.removeMeta(item->first);
+        made.insertMeta(item->first, *item->second);
+    }
+    if (!keepActive) return;
+    made.topologyUnion(static_cast<const GridT&>(old));
+    openvdb::tools::prune(made.tree());
+}
+
 /// The box of active voxels: from the file's statistics where they are, else from the tree.
 IndexBox activeBox(const GridBase& grid, bool treeIsRead) {
     IndexBox box;
@@ -271,14 +283,16 @@ struct Volume::Impl {
         file = std::make_unique<openvdb::io::File>(path);
         file->open(false);
         metadata = *file->getMetadata();
-        for (const auto& grid : *file->readAllGridMetadata()) add(grid, false);
+        const openvdb::GridPtrVecPtr grids = file->readAllGridMetadata();
+        for (const auto& grid : *grids) add(grid, false);
     }
 
     void readStream(std::istream& in) {
         in.exceptions(std::ios_base::failbit | std::ios_base::badbit);
         openvdb::io::Stream stream(in, false);
         metadata = *stream.getMetadata();
-        for (const auto& grid : *stream.getGrids()) add(grid, true);
+        const openvdb::GridPtrVecPtr grids = stream.getGrids();
+        for (const auto& grid : *grids) add(grid, true);
     }
 
     void settle() {
@@ -423,22 +437,31 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
         throw InternalError("grid '" + grid + "': voxel " +
                             voxelText(voxelAt(values, at) + box.min) + " " +
                             *fault(nullptr, values.values[static_cast<size_t>(at)]));
+    Impl::Entry* old = mImpl->find(grid);
+    const GridType type = values.components == 3 ? GridType::vector : GridType::scalar;
+    if (old && typeOf(*old->grid) != type) old = nullptr;
+    if (old && options.keepActive) mImpl->readEntry(*old);
     GridBase::Ptr made;
     const glm::vec3 b = options.background;
-    if (values.components == 3) {
-        made = copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
+    if (type == GridType::vector) {
+        const auto vectors =
+            copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
+        if (old) inherit(*vectors, *old->grid, options.keepActive);
         if (!options.vectorType.empty()) {
             const bool isVector = options.vectorType == "vector";
-            made->setVectorType(isVector ? openvdb::VEC_CONTRAVARIANT_RELATIVE
-                                         : openvdb::VEC_INVARIANT);
+            vectors->setVectorType(isVector ? openvdb::VEC_CONTRAVARIANT_RELATIVE
+                                            : openvdb::VEC_INVARIANT);
         }
+        made = vectors;
     } else {
-        made = copyIn<FloatGrid>(box, values, b.x, options.allActive);
-        made->setGridClass(openvdb::GRID_FOG_VOLUME);
+        const auto scalars = copyIn<FloatGrid>(box, values, b.x, options.allActive);
+        scalars->setGridClass(openvdb::GRID_FOG_VOLUME);
+        if (old) inherit(*scalars, *old->grid, options.keepActive);
+        made = scalars;
     }
     made->setTransform(toTransform(mImpl->frame));
     made->setName(grid);
-    made->setCreator("eikonal");
+    if (!old) made->setCreator("eikonal");
     const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
     mImpl->replace(made, active.empty()
                              ? IndexBox{}

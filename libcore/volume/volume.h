@@ -57,6 +57,7 @@ using GridNames = std::map<std::string, std::string>;
 struct PutOptions {
     glm::vec3 background{0.0f};
     bool allActive = false;   ///< every voxel of the box is active; else only those off background
+    bool keepActive = false;  ///< so are those that were active in the grid replaced
     std::string vectorType{}; ///< VDB's name: "color", "vector"...; vectors only
 };
 
@@ -92,7 +93,8 @@ public:
     /// For a grid that must be there: throws DataError "no grid 'ior' (found: density)".
     void require(const std::string& grid) const;
 
-    /// Adds or replaces a grid; `values` covers `box`. Throws InternalError on a NaN or infinity.
+    /// Adds or replaces a grid; `values` covers `box`. A grid replaced by one of its type hands on
+    /// its metadata (class, creator, the user's own). Throws InternalError on a NaN or infinity.
     void put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
              const PutOptions& options);
     /// Adds a narrow-band signed distance [unit] to closed triangles in world space, negative
