@@ -1,0 +1,24 @@
+// What the smoothing stage is asked to do.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace eikonal::smooth {
+
+/// The defaults are those of Sun et al. 2008, §4.1: 9 taps, a standard deviation of a sixth of it.
+struct Params {
+    double sigma = 1.5; ///< standard deviation of the Gaussian [voxel]; 0: no smoothing
+    int kernel = 0;     ///< taps along each axis, odd; 0: the next odd number from 6 sigma on
+    bool automaticGrids = true; ///< those of `ior` and `opacity` that are there; else `grids`
+    std::vector<std::string> grids;
+
+    /// The taps of the kernel, `kernel` or what stands for 0.
+    int width() const;
+
+    /// Throws UsageError naming the option that is wrong.
+    void check() const;
+};
+
+} // namespace eikonal::smooth

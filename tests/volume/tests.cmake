@@ -1,0 +1,4 @@
+# Small analytic scenes for the tests of every stage.
+add_executable(make_volume ${CMAKE_CURRENT_SOURCE_DIR}/volume/make_volume.cpp)
+target_link_libraries(make_volume PRIVATE libcore)
+set_target_properties(make_volume PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

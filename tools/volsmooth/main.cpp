@@ -1,0 +1,85 @@
+// volsmooth: softens a scene volume, so that rays meet slopes where its voxels have edges.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/text.h"
+#include "common/session.h"
+#include "smooth/smooth.h"
+
+using namespace eikonal;
+
+namespace {
+
+struct Options {
+    std::string input, grids;
+    volume::GridNames names;
+    smooth::Params params;
+};
+
+void addOptions(CLI::App& app, Options& o) {
+    app.add_option("input", o.input, "scene volume; - is standard input")
+        ->type_name("IN.vdb")
+        ->required();
+    app.add_option("--sigma", o.params.sigma,
+                   "standard deviation of the Gaussian [voxel]; 0 copies the volume")
+        ->type_name("VOXELS")
+        ->capture_default_str();
+    app.add_option_function<int>(
+           "--kernel",
+           [&o](int width) {
+               // 0 stands for "not given" in the struct, and is no width.
+               o.params.kernel = width == 0 ? -1 : width;
+           },
+           "taps along each axis, an odd number (default: the next from 6 sigma on)")
+        ->type_name("WIDTH");
+    app.add_option("--grids", o.grids,
+                   "float or vec3s grids to smooth (default: those of ior, opacity in the file)")
+        ->type_name("NAME,...");
+    tool::addGridNames(app, o.names, {"ior", "opacity"});
+}
+
+void smoothVolume(tool::Session& session, Options& o) {
+    o.params.automaticGrids = session.app().get_option("--grids")->empty();
+    if (!o.params.automaticGrids) o.params.grids = split(o.grids, ',');
+    o.params.check();
+    session.guardInputs({o.input});
+
+    std::optional<volume::Volume> volume;
+    smooth::Plan plan;
+    session.pass("read", [&] {
+        volume.emplace(volume::Volume::open(o.input, o.names));
+        plan = smooth::makePlan(*volume, o.params);
+    });
+    if (session.explains()) {
+        session.explain(
+            plan.effects, {},
+            {{"voxels", std::to_string(plan.size.x) + " x " + std::to_string(plan.size.y) + " x " +
+                            std::to_string(plan.size.z)}});
+        return;
+    }
+    session.stats().effects = plan.effects;
+    AtomicFile& out = *session.outputs().at(0);
+    if (plan.items.empty()) {
+        session.note("nothing in " + volume->path() + " to smooth: it is copied");
+    } else {
+        const std::vector<smooth::Item> smoothed =
+            smooth::run(session.device(), std::move(plan), session.stats(), session.progress());
+        session.pass("grids", [&] {
+            volume::PutOptions options;
+            options.keepActive = true;
+            for (const smooth::Item& item : smoothed) {
+                options.background = item.background;
+                volume->put(item.grid, volume->domain(), item.values, options);
+            }
+        });
+    }
+    session.pass("write", [&] { volume->write(out, session.history()); });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    tool::Session session("volsmooth", "Smooths the grids of a scene volume that bend or bound "
+                                       "light with a Gaussian; all else is copied.");
+    Options options;
+    addOptions(session.app(), options);
+    return session.run(argc, argv, [&](tool::Session&) { smoothVolume(session, options); });
+}
