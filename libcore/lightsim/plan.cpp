@@ -19,8 +19,8 @@ bool isGrey(const glm::dvec3& rgb) {
 /// What a render of the file would read: light where it scatters or meets an opaque surface.
 Output neededOutputs(const volume::Volume& volume, const Plan& plan) {
     if (!plan.scattering.present && !plan.opacity.present) return Output::none;
-    const bool lobes =
-        plan.scattering.present && medium::readCoefficient(volume, "anisotropy").present;
+    const bool lobes = plan.scattering.present &&
+                       medium::readCoefficient(volume, "anisotropy", volume.domain()).present;
     return lobes || plan.opacity.present ? Output::both : Output::fluence;
 }
 
@@ -70,12 +70,12 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     Plan plan;
     plan.size = volume.domain().size();
     plan.voxelSize = volume.frame().voxelSize;
-    plan.scattering = medium::readCoefficient(volume, "scattering");
-    plan.opacity = medium::readCoefficient(volume, "opacity");
+    plan.scattering = medium::readCoefficient(volume, "scattering", volume.domain());
+    plan.opacity = medium::readCoefficient(volume, "opacity", volume.domain());
     plan.outputs = params.automaticOutputs ? neededOutputs(volume, plan) : params.outputs;
     if (plan.outputs != Output::none) {
-        plan.index = medium::readIndex(volume);
-        plan.absorption = medium::readCoefficient(volume, "absorption");
+        plan.index = medium::readIndex(volume, volume.domain());
+        plan.absorption = medium::readCoefficient(volume, "absorption", volume.domain());
     }
     plan.bends = plan.index.varies();
     plan.attenuates = plan.absorption.present || plan.scattering.present;

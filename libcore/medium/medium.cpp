@@ -17,10 +17,11 @@ static_assert(sizeof(MediumParams) == 16);
 
 } // namespace
 
-Coefficient readCoefficient(const volume::Volume& volume, const std::string& grid) {
+Coefficient readCoefficient(const volume::Volume& volume, const std::string& grid,
+                            const volume::IndexBox& box) {
     Coefficient coefficient;
     if (!volume.has(grid)) return coefficient;
-    coefficient.grid = volume.dense(grid, volume.domain());
+    coefficient.grid = volume.dense(grid, box);
     const auto& values = coefficient.grid.values;
     coefficient.present = std::any_of(values.begin(), values.end(), [](float v) { return v != 0; });
     if (!coefficient.present) {
@@ -33,12 +34,12 @@ Coefficient readCoefficient(const volume::Volume& volume, const std::string& gri
     return coefficient;
 }
 
-Index readIndex(const volume::Volume& volume) {
+Index readIndex(const volume::Volume& volume, const volume::IndexBox& box) {
     Index index;
     index.background = volume.background("ior", vec3(1)).x;
     index.least = index.most = index.background;
     if (!volume.has("ior")) return index;
-    index.grid = volume.dense("ior", volume.domain());
+    index.grid = volume.dense("ior", box);
     const auto& values = index.grid.values;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     index.least = *least;

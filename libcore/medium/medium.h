@@ -27,9 +27,10 @@ struct Coefficient {
     }
 };
 
-/// Reads a grid over the volume's domain. An absent grid, or one that is 0 all over, is not
-/// present and holds no memory.
-Coefficient readCoefficient(const volume::Volume& volume, const std::string& grid);
+/// Reads a grid over `box`. An absent grid, or one that is 0 all over, is not present and holds no
+/// memory.
+Coefficient readCoefficient(const volume::Volume& volume, const std::string& grid,
+                            const volume::IndexBox& box);
 
 /// The refractive index over the domain.
 struct Index {
@@ -42,8 +43,8 @@ struct Index {
     float jumpAtFaces = 0;
 };
 
-/// Reads `ior`. An absent grid is index 1.
-Index readIndex(const volume::Volume& volume);
+/// Reads `ior` over `box`. An absent grid is index 1.
+Index readIndex(const volume::Volume& volume, const volume::IndexBox& box);
 
 /// The bytes of an RGBA32F texture padded by one voxel.
 gpu::Need fieldNeed(glm::ivec3 size);

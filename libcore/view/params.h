@@ -1,0 +1,38 @@
+// What the view stage is asked to do.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace eikonal::view {
+
+struct Camera {
+    glm::dvec3 eye{0}, target{0}, up{0, 1, 0}; ///< world [unit]
+    bool parallel = false;
+    double fov = 0;          ///< vertical, perspective [degree]
+    double height = 0;       ///< of the view, parallel [unit]
+    int width = 0, rows = 0; ///< of the picture [pixel]
+};
+
+enum class Integrator { euler, verlet };
+
+/// Names of the pictures that can go beside the colour.
+const std::vector<std::string>& allAovs();
+
+struct Params {
+    Camera camera;
+    Integrator integrator = Integrator::verlet;
+    double step = 1;  ///< longest step [voxel]
+    int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
+    std::vector<std::string> aovs;
+    glm::dvec3 background{0};   ///< radiance where there is no map
+    double environmentTurn = 0; ///< of the map about its up axis [degree]
+    bool environmentZUp = false;
+
+    /// Throws UsageError naming the option that is wrong.
+    void check() const;
+};
+
+} // namespace eikonal::view

@@ -1,0 +1,338 @@
+// The view stage: curved viewing rays through a lit scene volume (Sun et al. 2008, §4.5).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/view.h"
+
+#include "gpu/program.h"
+#include "view/bands.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace eikonal::view {
+
+namespace {
+
+using glm::dvec3;
+using glm::ivec3;
+using glm::ivec4;
+using glm::vec4;
+using gpu::Buffer;
+using gpu::TexelFormat;
+using gpu::Texture;
+#include "shared/view_params.h"
+static_assert(sizeof(ViewParams) == 208);
+static_assert(sizeof(PixelPath) == 64);
+
+// As in shaders/view/march.comp.glsl.
+constexpr size_t kSlots = 64, kCounters = 3;
+
+// 1/(4π) [1/sr]: fluence to isotropically scattered radiance.
+constexpr float kIsotropicPhase = 0.07957747154594767f;
+
+/// One picture: what is on the device for its duration, and the loop over bands.
+class Rendering {
+public:
+    Rendering(gpu::Device& device, const Scene& scene, const Plan& plan, const Params& params,
+              const std::optional<image::Image>& map, Stats& stats);
+    image::Image run(const Progress& progress);
+
+private:
+    void uploadMedium();
+    void uploadSurface();
+    void uploadMap(const image::Image& map);
+    void aim(bool hasMap, bool mapByEdges);
+    void readBand(int row, int rows);
+    void readCounters();
+    image::Image assemble();
+    template<typename Pack> Texture padded(TexelFormat format, bool floorAtZero, const Pack& pack) {
+        return medium::makePadded(mDevice, mPlan.size, format, floorAtZero, pack);
+    }
+
+    gpu::Device& mDevice;
+    const Scene& mScene;
+    const Plan& mPlan;
+    const Params& mParams;
+    Stats& mStats;
+    gpu::Profiler mProfiler;
+    glm::dmat4 mVoxelFromWorld, mWorldFromVoxel;
+    Texture mField, mDimming, mSource, mLobes, mEmission, mSurface, mFluence, mMap;
+    Buffer mBlock, mColours, mPaths, mCounters;
+    ViewParams mValues{};
+    gpu::Program mMarch;
+    std::vector<vec4> mPicture;
+    std::vector<PixelPath> mPicturePaths;
+};
+
+Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
+                     const Params& params, const std::optional<image::Image>& map, Stats& stats)
+    : mDevice(device), mScene(scene), mPlan(plan), mParams(params), mStats(stats), mProfiler(stats),
+      mVoxelFromWorld(scene.frame().indexFromWorld()) {
+    mVoxelFromWorld[3] -= glm::dvec4(dvec3(scene.domain().min), 0.0);
+    mWorldFromVoxel = glm::inverse(mVoxelFromWorld);
+    const bool shines = plan.scatters || plan.emits;
+    const int path = !plan.bends ? 0 : params.integrator == Integrator::euler ? 1 : 2;
+    const int channels = plan.colour ? 3 : plan.dims ? 1 : 0;
+    mProfiler.begin("shaders");
+    mMarch = gpu::Program(device, "view/march.comp.glsl",
+                          {{"PATH", path},
+                           {"CHANNELS", channels},
+                           {"SOURCE", plan.lobes ? 2
+                                      : shines   ? 1
+                                                 : 0},
+                           {"EMISSION", plan.lobes && plan.emits},
+                           {"OPAQUE", plan.opaque}});
+    mProfiler.end();
+    mProfiler.begin("medium");
+    if (plan.bends) mField = medium::makeField(device, plan.index.grid);
+    uploadMedium();
+    if (plan.opaque) uploadSurface();
+    if (map) uploadMap(*map);
+    mProfiler.end();
+    aim(map.has_value(), map && map->envmap == image::Envmap::latLong);
+
+    const std::int64_t band = std::int64_t{params.camera.width} * rowsPerBand(params);
+    const bool paths = wantsPaths(plan, params);
+    mBlock = Buffer(device, sizeof(ViewParams));
+    mColours = Buffer(device, band * 16);
+    mPaths = Buffer(device, paths ? band * 64 : 64);
+    mCounters = Buffer(device, kSlots * kCounters * 8);
+    mCounters.clear();
+    const size_t pixels = static_cast<size_t>(params.camera.width) * params.camera.rows;
+    mPicture.resize(pixels);
+    if (paths) mPicturePaths.resize(pixels);
+}
+
+void Rendering::uploadMedium() {
+    const Plan& plan = mPlan;
+    const auto h = static_cast<float>(mScene.frame().voxelSize); // 1/unit to 1/voxel
+    const bool shines = plan.scatters || plan.emits;
+    const auto sigma = [&](size_t i, int c) {
+        return (plan.absorption.at(i, c) + plan.scattering.at(i, c)) * h;
+    };
+    // Radiance gained per voxel of length; the phase function and emission come later with lobes.
+    const auto shine = [&](size_t i, int c) {
+        const float scattered = plan.scattering.at(i, c) * plan.fluence.at(i, c) * h;
+        if (plan.lobes) return scattered;
+        return scattered * kIsotropicPhase + plan.emission.at(i, c) * h;
+    };
+    if (plan.colour) {
+        mDimming = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            for (int c = 0; c < 3; ++c) out[c] = sigma(i, c);
+        });
+        if (shines)
+            mSource = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+                for (int c = 0; c < 3; ++c) out[c] = shine(i, c);
+            });
+    } else if (shines) {
+        mDimming = padded(TexelFormat::rg32f, true, [&](size_t i, float* out) {
+            out[0] = sigma(i, 0);
+            out[1] = shine(i, 0);
+        });
+    } else if (plan.dims) {
+        mDimming =
+            padded(TexelFormat::r32f, true, [&](size_t i, float* out) { out[0] = sigma(i, 0); });
+    }
+    if (plan.lobes || (plan.opaque && plan.lightDirection.present)) {
+        const glm::mat3 turn = glm::transpose(
+            glm::mat3(glm::dmat3(mScene.frame().worldFromIndex) / mScene.frame().voxelSize));
+        mLobes = padded(TexelFormat::rgba32f, false, [&](size_t i, float* out) {
+            const glm::vec3 d =
+                turn * glm::vec3(plan.lightDirection.at(i, 0), plan.lightDirection.at(i, 1),
+                                 plan.lightDirection.at(i, 2));
+            out[0] = d.x;
+            out[1] = d.y;
+            out[2] = d.z;
+            out[3] = plan.anisotropy.at(i, 0);
+        });
+    }
+    if (plan.lobes && plan.emits)
+        mEmission = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            for (int c = 0; c < 3; ++c) out[c] = plan.emission.at(i, c) * h;
+        });
+}
+
+void Rendering::uploadSurface() {
+    mSurface = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+        out[0] = mPlan.opacity.grid.values[i];
+        for (int c = 0; c < 3; ++c) out[1 + c] = mPlan.albedo.at(i, c);
+    });
+    if (mPlan.fluence.present)
+        mFluence = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            for (int c = 0; c < 3; ++c) out[c] = mPlan.fluence.at(i, c);
+        });
+    // Light without a stored direction falls on surfaces from all sides.
+    if (mLobes.name() == 0) {
+        mLobes = Texture(mDevice, ivec3(1), TexelFormat::rgba32f, gpu::Filter::linear);
+        mLobes.clear();
+    }
+}
+
+void Rendering::uploadMap(const image::Image& map) {
+    std::vector<float> rgba(map.area() * 4);
+    for (size_t c = 0; c < 3; ++c) {
+        const auto plane = map.plane(c);
+        for (size_t i = 0; i < plane.size(); ++i) rgba[4 * i + c] = plane[i];
+    }
+    mMap = Texture(mDevice, {map.width, map.height, 0}, TexelFormat::rgba32f, gpu::Filter::nearest);
+    mMap.upload(rgba.data());
+}
+
+void Rendering::aim(bool hasMap, bool mapByEdges) {
+    const Camera& camera = mParams.camera;
+    const dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const dvec3 up = glm::cross(right, forward);
+    const double aspect = static_cast<double>(camera.width) / camera.rows;
+    const double h = mScene.frame().voxelSize;
+    const double half =
+        camera.parallel ? 0.5 * camera.height / h : std::tan(glm::radians(0.5 * camera.fov));
+    const glm::dmat3 turn(glm::dmat3(mVoxelFromWorld) * h);
+    const dvec3 eye(mVoxelFromWorld * glm::dvec4(camera.eye, 1.0));
+    const glm::vec3 eyeHigh(eye);
+
+    ViewParams& v = mValues;
+    const ivec3 size = mPlan.size;
+    const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / mParams.step) + 1024;
+    v.size = ivec4(size, mParams.maxSteps > 0 ? mParams.maxSteps : crossings);
+    v.picture = ivec4(camera.width, camera.rows, 0, 0);
+    v.eyeHigh = vec4(eyeHigh, camera.parallel ? 0 : 1);
+    v.eyeLow = vec4(eye - dvec3(eyeHigh), 0);
+    v.forward = vec4(turn * forward, 0);
+    v.right = vec4(turn * right * (half * aspect), 0);
+    v.up = vec4(turn * up * half, 0);
+    // One τ step is as long as the index says: no longer than asked where it is highest.
+    const bool verlet = mPlan.bends && mParams.integrator == Integrator::verlet;
+    const float most = mPlan.index.most;
+    v.march = vec4(verlet || !mPlan.bends ? mParams.step / most : mParams.step,
+                   mPlan.index.background, mPlan.index.least, wantsPaths(mPlan, mParams) ? 1 : 0);
+    v.background = vec4(mParams.background, hasMap ? (mapByEdges ? 3 : 2) : 1);
+    v.light = vec4(mPlan.opaque && mPlan.fluence.present ? 1 : 0, 0, 0, 0);
+
+    const double angle = glm::radians(mParams.environmentTurn);
+    // A turn by +90° brings what the map shows at +X to +Z, as turning the map to the right does.
+    glm::dmat3 mapFromWorld(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0,
+                            std::cos(angle));
+    // A Z-up map's pole +Z is the map's +Y; its +X stays.
+    if (mParams.environmentZUp)
+        mapFromWorld = mapFromWorld * glm::dmat3(1, 0, 0, 0, 0, -1, 0, 1, 0);
+    const glm::dmat3 rows =
+        glm::transpose(mapFromWorld * glm::dmat3(mScene.frame().worldFromIndex) / h);
+    v.mapFromVoxel0 = vec4(rows[0], 0);
+    v.mapFromVoxel1 = vec4(rows[1], 0);
+    v.mapFromVoxel2 = vec4(rows[2], 0);
+}
+
+image::Image Rendering::run(const Progress& progress) {
+    const Camera& camera = mParams.camera;
+    const Texture* textures[] = {&mField,    &mDimming, &mSource,  &mLobes,
+                                 &mEmission, &mSurface, &mFluence, &mMap};
+    for (unsigned unit = 0; unit < 8; ++unit)
+        if (textures[unit]->name() != 0) textures[unit]->bindSampler(unit);
+    mColours.bindStorage(0);
+    mPaths.bindStorage(1);
+    mCounters.bindStorage(2);
+    mBlock.bindUniform(0);
+    for (int row = 0; row < camera.rows; row += rowsPerBand(mParams)) {
+        const int rows = std::min(rowsPerBand(mParams), camera.rows - row);
+        mValues.picture.z = row;
+        mValues.picture.w = rows;
+        mBlock.upload(&mValues, sizeof mValues);
+        mProfiler.begin("view");
+        mMarch.dispatch({camera.width, rows, 1});
+        gpu::barrier();
+        mProfiler.end();
+        mDevice.check("view");
+        readBand(row, rows);
+        report(progress, static_cast<double>(row + rows) / camera.rows);
+    }
+    readCounters();
+    mProfiler.collect();
+    return assemble();
+}
+
+void Rendering::readBand(int row, int rows) {
+    mProfiler.begin("download");
+    const size_t first = static_cast<size_t>(row) * mParams.camera.width;
+    const std::int64_t pixels = std::int64_t{rows} * mParams.camera.width;
+    mColours.download(mPicture.data() + first, pixels * 16);
+    if (!mPicturePaths.empty()) mPaths.download(mPicturePaths.data() + first, pixels * 64);
+    mProfiler.end();
+}
+
+void Rendering::readCounters() {
+    std::array<std::uint64_t, kSlots * kCounters> slots{};
+    mCounters.download(slots.data(), sizeof slots);
+    const char* names[kCounters] = {"rays", "steps", "trapped"};
+    for (size_t counter = 0; counter < kCounters; ++counter)
+        for (size_t slot = 0; slot < kSlots; ++slot)
+            mStats.count(names[counter], static_cast<double>(slots[slot * kCounters + counter]));
+}
+
+image::Image Rendering::assemble() {
+    const Camera& camera = mParams.camera;
+    image::Image picture(camera.width, camera.rows);
+    picture.addChannels({"R", "G", "B", "A"},
+                        {reinterpret_cast<const float*>(mPicture.data()), mPicture.size() * 4}, 4);
+    if (mPicturePaths.empty()) return picture;
+    const double h = mScene.frame().voxelSize;
+    const glm::dmat3 turn(glm::dmat3(mWorldFromVoxel) / h);
+    const dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const auto add = [&](const std::vector<std::string>& names, const auto& value) {
+        std::vector<float> samples;
+        samples.reserve(mPicturePaths.size() * names.size());
+        for (const PixelPath& path : mPicturePaths) {
+            const dvec3 v = value(path);
+            for (int c = 0; c < static_cast<int>(names.size()); ++c)
+                samples.push_back(static_cast<float>(v[c]));
+        }
+        picture.addChannels(names, samples, names.size());
+    };
+    const auto vector = [](const std::string& name, const char* components) {
+        std::vector<std::string> names;
+        for (const char* c = components; *c; ++c) names.push_back(name + "." + *c);
+        return names;
+    };
+    const auto place = [&](const PixelPath& path) {
+        return dvec3(mWorldFromVoxel * glm::dvec4(dvec3(path.place), 1.0));
+    };
+    if (mPlan.dims && mPlan.colour)
+        add({"AR", "AG", "AB"}, [](const PixelPath& p) { return 1.0 - dvec3(p.through); });
+    for (const std::string& aov : mParams.aovs) {
+        if (aov == "exit_position") add(vector(aov, "XYZ"), place);
+        if (aov == "exit_direction")
+            add(vector(aov, "XYZ"),
+                [&](const PixelPath& p) { return glm::normalize(turn * dvec3(p.direction)); });
+        if (aov == "transmittance")
+            add(vector(aov, "RGB"), [](const PixelPath& p) { return dvec3(p.through); });
+        if (aov == "optical_path_length")
+            add({aov}, [&](const PixelPath& p) { return dvec3(p.place.w * h); });
+        if (aov == "path_length")
+            add({aov}, [&](const PixelPath& p) { return dvec3(p.direction.w * h); });
+        if (aov == "steps") add({aov}, [](const PixelPath& p) { return dvec3(p.through.w); });
+        if (aov == "Z")
+            add({aov}, [&](const PixelPath& p) {
+                return dvec3(glm::dot(place(p) - camera.eye, forward));
+            });
+        if (aov == "error") add({aov}, [](const PixelPath& p) { return dvec3(p.error.x); });
+    }
+    return picture;
+}
+
+} // namespace
+
+image::Image render(gpu::Device& device, const Scene& scene, const Plan& plan, const Params& params,
+                    const std::optional<image::Image>& map, Stats& stats,
+                    const Progress& progress) {
+    device.requireFit(needsOf(plan, params));
+    Rendering rendering(device, scene, plan, params, map, stats);
+    image::Image picture = rendering.run(progress);
+    stats.gpuPeakBytes = std::max(stats.gpuPeakBytes, device.peakBytes());
+    return picture;
+}
+
+} // namespace eikonal::view

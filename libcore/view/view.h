@@ -1,0 +1,50 @@
+// The view stage: curved viewing rays through a lit scene volume (Sun et al. 2008, §4.5).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/progress.h"
+#include "base/stats.h"
+#include "image/exr.h"
+#include "image/image.h"
+#include "view/params.h"
+#include "view/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eikonal::view {
+
+/// The scene as viewing rays meet it, and which effects are worth simulating.
+struct Plan {
+    glm::ivec3 size{0};
+    bool bends = false;    ///< the index varies
+    bool dims = false;     ///< something absorbs or scatters
+    bool colour = false;   ///< coefficients or light differ by wavelength
+    bool scatters = false; ///< there is light, and something scatters it
+    bool lobes = false;    ///< scattering prefers a direction
+    bool emits = false;
+    bool opaque = false;
+    bool map = false; ///< an environment map surrounds the scene
+    medium::Index index;
+    medium::Coefficient absorption, scattering, anisotropy, emission, opacity, albedo, fluence,
+        lightDirection;
+    std::vector<Effect> effects;
+    std::vector<std::string> warnings;
+};
+
+Plan makePlan(const Scene& scene, const Params& params, bool hasMap);
+
+/// What the run will hold on the device.
+std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params);
+
+/// Renders radiance [W/(m² sr)], premultiplied R G B A, AR AG AB where the medium is coloured, and
+/// the AOVs asked for. `map` is the environment, R G B. Fills passes and counters of `stats`.
+/// Throws MemoryError before the work if the device can't hold it.
+image::Image render(gpu::Device& device, const Scene& scene, const Plan& plan, const Params& params,
+                    const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
+
+/// The camera's matrices in OpenEXR's spaces.
+void describeCamera(const Camera& camera, image::ImageAttributes& attributes);
+
+} // namespace eikonal::view

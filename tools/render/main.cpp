@@ -1,0 +1,178 @@
+// render: looks into a lit scene volume along curved rays and writes the picture.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/text.h"
+#include "common/session.h"
+#include "gpu/device.h"
+#include "image/exr.h"
+#include "image/picture.h"
+#include "view/view.h"
+
+using namespace eikonal;
+
+namespace {
+
+struct Options {
+    std::vector<std::string> inputs;
+    std::string size, environment, aovs, integrator = "verlet", tone = "clip";
+    volume::GridNames names;
+    view::Params params;
+    image::ToneMap toneMap;
+};
+
+void addCamera(CLI::App& app, view::Camera& camera, std::string& size) {
+    tool::addVector(app, "--eye", camera.eye, "where the camera stands [unit]")
+        ->required()
+        ->group("Camera");
+    tool::addVector(app, "--target", camera.target, "the point it looks at [unit]")
+        ->required()
+        ->group("Camera");
+    tool::addVector(app, "--up", camera.up, "what is up in the picture; default 0,1,0")
+        ->group("Camera");
+    auto* fov = app.add_option("--fov", camera.fov, "vertical angle of view [degree]")
+                    ->type_name("DEG")
+                    ->group("Camera");
+    auto* ortho =
+        app.add_option("--ortho", camera.height, "parallel projection of this height [unit]")
+            ->type_name("HEIGHT")
+            ->excludes(fov)
+            ->group("Camera");
+    fov->excludes(ortho);
+    app.add_option("--size", size, "width and height of the picture [pixel]")
+        ->type_name("WxH")
+        ->required()
+        ->group("Camera");
+}
+
+void addOptions(CLI::App& app, Options& o) {
+    view::Params& p = o.params;
+    app.add_option("input", o.inputs,
+                   "scene volume, - is standard input; several add up their light")
+        ->type_name("IN.vdb")
+        ->required();
+    addCamera(app, p.camera, o.size);
+    auto* environment =
+        app.add_option("--env", o.environment, "lat-long environment map, EXR or another format")
+            ->type_name("FILE")
+            ->group("Background");
+    tool::addVector(app, "--background", p.background, "radiance all round", true)
+        ->type_name("R,G,B")
+        ->excludes(environment)
+        ->group("Background");
+    app.add_option_function<std::string>(
+           "--env-up", [&p](const std::string& axis) { p.environmentZUp = axis == "z"; },
+           "the map's up axis: y (OpenEXR's), or z")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->group("Background");
+    app.add_option("--env-rotate", p.environmentTurn, "turn the map about its up axis [degree]")
+        ->type_name("DEG")
+        ->group("Background");
+    app.add_option("--integrator", o.integrator, "euler (first order) or verlet (second order)")
+        ->check(CLI::IsMember({"euler", "verlet"}))
+        ->capture_default_str()
+        ->group("Tracing");
+    app.add_option("--step", p.step, "longest step [voxel]")
+        ->type_name("VOXELS")
+        ->capture_default_str()
+        ->group("Tracing");
+    app.add_option("--max-steps", p.maxSteps, "steps after which a ray counts as trapped; 0: ample")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group("Tracing");
+    app.add_option("--aov", o.aovs,
+                   "pictures beside the colour, a list of " + join(view::allAovs(), ", ") +
+                       "; or all")
+        ->type_name("NAME,...")
+        ->group("Picture");
+    app.add_option("--exposure", o.toneMap.exposure, "of a .png, .jpg or .tga output [stop]")
+        ->type_name("STOPS")
+        ->group("Picture");
+    app.add_option("--tone", o.tone, "its tone curve: clip or filmic")
+        ->check(CLI::IsMember({"clip", "filmic"}))
+        ->capture_default_str()
+        ->group("Picture");
+    tool::addGridNames(app, o.names,
+                       {"ior", "absorption", "scattering", "anisotropy", "emission", "opacity",
+                        "albedo", "fluence", "light_direction"});
+}
+
+void parseTexts(Options& o) {
+    const auto size = parseNumbers(o.size, 'x');
+    const auto whole = [](double v) { return v >= 1 && v <= 1e6 && v == static_cast<int>(v); };
+    if (!size || size->size() != 2 || !whole((*size)[0]) || !whole((*size)[1]))
+        throw UsageError("--size: found '" + o.size + "', expected WIDTHxHEIGHT in pixels");
+    o.params.camera.width = static_cast<int>((*size)[0]);
+    o.params.camera.rows = static_cast<int>((*size)[1]);
+    if (o.aovs == "all")
+        o.params.aovs = view::allAovs();
+    else if (!o.aovs.empty())
+        o.params.aovs = split(o.aovs, ',');
+    o.params.integrator =
+        o.integrator == "euler" ? view::Integrator::euler : view::Integrator::verlet;
+    o.toneMap.curve = o.tone == "filmic" ? image::ToneCurve::filmic : image::ToneCurve::clip;
+}
+
+void writePictures(tool::Session& session, const Options& o, const view::Scene& scene,
+                   const image::Image& picture) {
+    const History history = session.history();
+    image::ImageAttributes attributes;
+    attributes.strings = {{"eikonal:tool", history.tool},
+                          {"eikonal:version", history.version},
+                          {"eikonal:command", appendHistory(scene.history(), history.command)}};
+    view::describeCamera(o.params.camera, attributes);
+    for (const auto& out : session.outputs()) {
+        if (image::isDisplayPicture(out->path()))
+            image::writePicture(picture, *out, o.toneMap);
+        else
+            image::writeExr(picture, attributes, *out, session.threads());
+    }
+}
+
+void render(tool::Session& session, Options& o) {
+    parseTexts(o);
+    if (session.app().count("--fov") + session.app().count("--ortho") != 1)
+        throw UsageError("expected --fov or --ortho");
+    o.params.camera.parallel = session.app().count("--ortho") > 0;
+    o.params.check();
+    std::vector<std::string> inputs = o.inputs;
+    if (!o.environment.empty()) inputs.push_back(o.environment);
+    session.guardInputs(inputs);
+    for (const std::string& path : session.outputPaths())
+        if (image::isDisplayPicture(path)) image::requirePictureModule();
+
+    std::optional<view::Scene> scene;
+    std::optional<view::Plan> plan;
+    std::optional<image::Image> map;
+    session.pass("read", [&] {
+        std::vector<volume::Volume> volumes;
+        for (const std::string& input : o.inputs)
+            volumes.push_back(volume::Volume::open(input, o.names));
+        if (!o.environment.empty()) map = image::readEnvironment(o.environment);
+        scene.emplace(std::move(volumes));
+        plan = view::makePlan(*scene, o.params, map.has_value());
+    });
+    if (session.explains()) {
+        session.explain(
+            plan->effects, plan->warnings,
+            {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
+                            " x " + std::to_string(plan->size.z)},
+             {"picture", o.size}});
+        return;
+    }
+    session.stats().effects = plan->effects;
+    for (const std::string& warning : plan->warnings) session.warn(warning);
+    session.outputs();
+    const image::Image picture = view::render(session.device(), *scene, *plan, o.params, map,
+                                              session.stats(), session.progress());
+    session.pass("write", [&] { writePictures(session, o, *scene, picture); });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    tool::Session session("render", "Looks into a lit scene volume along curved rays. Output is "
+                                    "EXR, or a tone-mapped picture for .png, .jpg, .tga; -o may be "
+                                    "given again.");
+    Options options;
+    addOptions(session.app(), options);
+    return session.run(argc, argv, [&](tool::Session&) { render(session, options); });
+}
