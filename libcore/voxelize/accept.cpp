@@ -1,0 +1,41 @@
+// Whether a mesh may be voxelised: checked, repaired where asked for, else refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "voxelize/accept.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "mesh/check.h"
+#include "mesh/repair.h"
+
+namespace eikonal::voxelize {
+
+namespace {
+
+/// The faults, without the size that leads the sentences.
+std::string faultsOf(const mesh::MeshReport& report) {
+    std::vector<std::string> sentences = report.sentences();
+    sentences.erase(sentences.begin());
+    return join(sentences, "; ");
+}
+
+} // namespace
+
+Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool repair) {
+    const mesh::MeshReport report = mesh::checkMesh(mesh);
+    Acceptance result{report.sentences(), {}, report.selfIntersectingPairs > 0};
+    if (report.boundsVolume()) return result;
+    if (!repair)
+        throw DataError(path + ": bounds no volume: " + faultsOf(report) +
+                        " (expected a closed surface whose faces all look outward; --repair " +
+                        (report.closed ? "turns" : "closes") + " it)");
+    mesh::RepairResult repaired = mesh::repairMesh(mesh);
+    const mesh::MeshReport after = mesh::checkTopology(repaired.mesh);
+    if (!after.boundsVolume())
+        throw DataError(path + ": bounds no volume, even repaired: " + faultsOf(after) +
+                        " (expected a closed surface around some space)");
+    mesh = std::move(repaired.mesh);
+    result.repairs = std::move(repaired.actions);
+    return result;
+}
+
+} // namespace eikonal::voxelize

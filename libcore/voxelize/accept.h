@@ -1,0 +1,24 @@
+// Whether a mesh may be voxelised: checked, repaired where asked for, else refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace eikonal::voxelize {
+
+/// What was found in a mesh and done to it.
+struct Acceptance {
+    std::vector<std::string> findings; ///< its size first, then one sentence per fault
+    std::vector<std::string> repairs;  ///< one sentence each
+    bool crosses = false;              ///< triangles cross each other: the volume is a guess there
+};
+
+/// Makes sure that `mesh` bounds a volume. Which side is out, and where a hole's lid would lie, is
+/// never guessed silently: without `repair` a mesh with such a fault is a DataError, which says
+/// what is wrong with `path` and what would help; with it, one that still bounds nothing is.
+Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool repair);
+
+} // namespace eikonal::voxelize

@@ -1,0 +1,72 @@
+// How much of each voxel lies inside a mesh, counted on the device.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "voxelize/coverage.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+
+namespace eikonal::voxelize {
+
+namespace {
+
+// Triangles per draw: 48 MiB of facets, large enough that a draw's fixed cost does not count.
+constexpr size_t kFacetsPerDraw = size_t{1} << 20;
+
+std::int64_t rowBytes(const Lattice& lattice) {
+    return std::int64_t{lattice.size.x} * lattice.size.z * 4;
+}
+
+int rowsOf(const Lattice& lattice, std::int64_t stripBytes) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(stripBytes / rowBytes(lattice), 1, lattice.size.y));
+}
+
+} // namespace
+
+std::vector<gpu::Need> coverageNeeds(const Lattice& lattice, std::int64_t stripBytes) {
+    return {{"a strip of " + std::to_string(rowsOf(lattice, stripBytes)) + " rows of voxels",
+             rowBytes(lattice) * rowsOf(lattice, stripBytes), true},
+            {"the triangles of a draw", kFacetsPerDraw * sizeof(Facet), true}};
+}
+
+Coverage::Coverage(gpu::Device& device, const Lattice& lattice, std::int64_t stripBytes)
+    : mDevice(device), mLattice(lattice), mRows(rowsOf(lattice, stripBytes)),
+      mCrossings(device, "voxelize/crossings.vert.glsl", "voxelize/crossings.frag.glsl", {}),
+      mSum(device, "voxelize/sum.comp.glsl", {}), mChanges(device, rowBytes(lattice) * mRows),
+      mParams(device, sizeof(StripParams)) {
+    if (lattice.view() > device.limits().framebuffer)
+        throw MemoryError("voxelising draws " + std::to_string(lattice.view()) +
+                          " pixels along an edge, the device allows " +
+                          std::to_string(device.limits().framebuffer));
+}
+
+void Coverage::count(FacetSource& mesh, int firstRow, int rows,
+                     std::vector<std::uint16_t>& counts) {
+    StripParams params{};
+    params.size = ivec4(mLattice.size.x, rows, mLattice.size.z, mLattice.supersample);
+    params.place = ivec4(firstRow, mLattice.view(), 0, 0);
+    mParams.upload(&params, sizeof params);
+    mChanges.clear();
+    gpu::barrier();
+    mParams.bindUniform(0);
+    mChanges.bindStorage(1);
+    std::vector<Facet> facets;
+    mesh.seek(firstRow, rows);
+    for (mesh.next(facets, kFacetsPerDraw); !facets.empty(); mesh.next(facets, kFacetsPerDraw)) {
+        const auto bytes = static_cast<std::int64_t>(facets.size() * sizeof(Facet));
+        mFacets = gpu::Buffer(mDevice, bytes, facets.data());
+        mFacets.bindStorage(0);
+        gpu::drawTriangles(mCrossings, static_cast<std::int64_t>(facets.size()) * 3,
+                           mLattice.view(), mLattice.view());
+    }
+    gpu::barrier();
+    mSum.dispatch({mLattice.size.x, rows, 1});
+    mDevice.check("voxelize");
+    const std::int64_t voxels = std::int64_t{mLattice.size.x} * rows * mLattice.size.z;
+    mDownload.resize(static_cast<size_t>(voxels));
+    mChanges.download(mDownload.data(), voxels * 4);
+    counts.assign(mDownload.begin(), mDownload.end());
+}
+
+} // namespace eikonal::voxelize

@@ -1,0 +1,65 @@
+// Coverage to material: what each voxel's share of the objects makes of its values.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "volume/volume.h"
+#include "voxelize/grids.h"
+#include "voxelize/lattice.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace eikonal::voxelize {
+
+/// Shares each voxel among the objects and fills the grids of a volume, some rows at a time.
+///
+/// Objects take their coverage in order of precedence, each as much as is left; the rest is the
+/// surrounding medium. So objects that abut within a voxel fill it wholly. To multiply by what
+/// those before left over would suit objects scattered at random and leave a quarter of the voxel
+/// between two halves: a film of air in every joint.
+class Mixer {
+public:
+    /// `params` must outlive the mixer.
+    Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice& lattice);
+
+    /// `counts` holds per object the samples inside, of rows [firstRow, firstRow + rows).
+    void mix(const std::vector<std::vector<std::uint16_t>>& counts, int firstRow, int rows);
+
+    /// Voxels that some object covers, and those that object `k` covers.
+    std::int64_t occupied() const { return mOccupied; }
+    std::int64_t covered(size_t k) const { return mCovered[k]; }
+
+    /// Hands over the values of a grid.
+    volume::DenseGrid take(Grid grid);
+    /// Whether any value of a filled grid is not the background.
+    bool showsSomething(Grid grid) const;
+
+private:
+    struct Filled {
+        Grid grid{};
+        volume::DenseGrid dense;
+        glm::dvec3 fallback{0};
+        std::vector<glm::dvec3> values; // per object, the medium last
+        std::vector<double> weights;
+        std::vector<glm::vec3> alone; // what is stored where there is nothing else
+    };
+    struct Tally {
+        std::int64_t occupied = 0;
+        std::vector<std::int64_t> covered;
+    };
+    void mixRow(const std::vector<std::vector<std::uint16_t>>& counts, size_t from, size_t to,
+                Tally& tally);
+    void store(size_t voxel, const std::vector<int>& shares);
+    static glm::vec3 meanOf(const Filled& grid, const std::vector<int>& shares);
+    size_t indexOf(Grid grid) const;
+
+    const Params& mParams;
+    glm::ivec3 mSize;
+    int mMost;
+    std::vector<size_t> mOrder; // of objects, first come first served
+    std::vector<Filled> mGrids;
+    std::int64_t mOccupied = 0;
+    std::vector<std::int64_t> mCovered;
+};
+
+} // namespace eikonal::voxelize

@@ -1,0 +1,104 @@
+// What the voxelising stage is asked to do: objects, what they are made of, and the lattice.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "voxelize/params.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <cmath>
+#include <set>
+
+namespace eikonal::voxelize {
+
+namespace {
+
+void require(bool holds, const std::string& option, const std::string& found,
+             const std::string& wanted) {
+    if (!holds) throw UsageError(option + ": found " + found + ", expected " + wanted);
+}
+
+/// Checks values as the floats they will be in the file.
+class ValueCheck {
+public:
+    /// `prefix` leads the option's name, `of` says whose value it is.
+    ValueCheck(const std::string& prefix, const std::string& of) : mPrefix(prefix), mOf(of) {}
+
+    template<typename Holds>
+    void one(const std::string& option, double value, const std::string& wanted,
+             const Holds& holds) const {
+        const auto stored = static_cast<float>(value);
+        require(std::isfinite(stored) && holds(stored), mPrefix + option, toText(value) + mOf,
+                wanted);
+    }
+    template<typename Holds>
+    void rgb(const std::string& option, const glm::dvec3& value, const std::string& wanted,
+             const Holds& holds) const {
+        for (int i = 0; i < 3; ++i) one(option, value[i], wanted, holds);
+    }
+
+private:
+    std::string mPrefix, mOf;
+};
+
+void checkMaterial(const Material& m, const ValueCheck& check) {
+    const auto notNegative = [](float x) { return x >= 0; };
+    const auto share = [](float x) { return x >= 0 && x <= 1; };
+    check.one("ior", m.ior, "above 0", [](float x) { return x > 0; });
+    check.one("dispersion", m.dispersion, "a number within a float's range",
+              [](float) { return true; });
+    check.rgb("absorption", m.absorption, "0 or more", notNegative);
+    check.rgb("scattering", m.scattering, "0 or more", notNegative);
+    check.one("anisotropy", m.anisotropy, "between -1 and 1",
+              [](float x) { return x > -1 && x < 1; });
+    check.rgb("emission", m.emission, "0 or more", notNegative);
+    check.one("opacity", m.opacity, "0 to 1", share);
+    check.rgb("albedo", m.albedo, "0 to 1", share);
+    check.rgb("reflectance", m.reflectance, "0 or more", notNegative);
+}
+
+void checkBounds(const mesh::Box& box) {
+    const glm::dvec3 edges = box.max - box.min;
+    for (int i = 0; i < 3; ++i)
+        require(edges[i] > 0 && std::isfinite(edges[i]), "--bounds",
+                toText(box.min[i]) + " to " + toText(box.max[i]),
+                "X0,Y0,Z0,X1,Y1,Z1 with X0 < X1, Y0 < Y1 and Z0 < Z1");
+}
+
+} // namespace
+
+void refuseCount(const std::string& option, size_t given, size_t count) {
+    throw UsageError(option + ": given " + std::to_string(given) + " times, expected once" +
+                     (count > 1 ? " or once for each of the " + std::to_string(count) + " meshes"
+                                : ", as there is one mesh"));
+}
+
+void Params::check() const {
+    if (objects.empty()) throw UsageError("MESH: none given, expected at least one");
+    for (const Object& object : objects)
+        checkMaterial(object.material,
+                      {"--", objects.size() > 1 ? " for '" + object.name + "'" : ""});
+    checkMaterial(medium, {"--medium-", ""});
+    require(supersample == 1 || supersample == 2 || supersample == 4 || supersample == 8,
+            "--supersample", std::to_string(supersample), "1, 2, 4 or 8");
+    require(padding >= 0 && padding < kLongestEdge / 2, "--padding", std::to_string(padding),
+            "0 to " + std::to_string(kLongestEdge / 2 - 1));
+    require(resolution >= 1 && resolution <= kLongestEdge, "--resolution",
+            std::to_string(resolution), "1 to " + std::to_string(kLongestEdge));
+    if (voxelSize)
+        require(*voxelSize > 0 && std::isfinite(*voxelSize), "--voxel-size", toText(*voxelSize),
+                "above 0");
+    else if (!bounds)
+        require(resolution > 2 * padding, "--resolution", std::to_string(resolution),
+                "more than twice the --padding of " + std::to_string(padding));
+    if (bounds) checkBounds(*bounds);
+    require(sdfBand >= 1 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "1 to 100");
+    std::set<std::string> names;
+    for (const Object& object : objects) {
+        require(!object.name.empty(), "--name", "''", "a name");
+        if (sdf && objects.size() > 1)
+            require(names.insert(object.name).second, "--name",
+                    "'" + object.name + "' for two objects", "another name for each --sdf grid");
+    }
+}
+
+} // namespace eikonal::voxelize

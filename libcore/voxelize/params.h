@@ -1,0 +1,65 @@
+// What the voxelising stage is asked to do: objects, what they are made of, and the lattice.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eikonal::voxelize {
+
+/// What fills an object or surrounds it. The defaults are those of empty space.
+struct Material {
+    double ior = 1;            ///< refractive index at 587.6 nm [1]
+    double dispersion = 0;     ///< Cauchy B [µm²]
+    glm::dvec3 absorption{0};  ///< σ_a [1/unit]
+    glm::dvec3 scattering{0};  ///< σ_s [1/unit]
+    double anisotropy = 0;     ///< Henyey-Greenstein g [1]
+    glm::dvec3 emission{0};    ///< [radiance/unit]
+    double opacity = 0;        ///< 1: the viewing ray stops there [1]
+    glm::dvec3 albedo{0};      ///< diffuse reflectance of what is opaque [1]
+    glm::dvec3 reflectance{1}; ///< tint of the mirror reflection at the boundary [1]
+};
+
+struct Object {
+    std::string name; ///< in messages, and in sdf.NAME
+    Material material;
+    int priority = 0; ///< where objects overlap the higher wins, among equals the later
+    mesh::TriangleMesh mesh{};
+};
+
+struct Params {
+    std::vector<Object> objects;
+    Material medium;                 ///< what surrounds the objects
+    int resolution = 128;            ///< along the domain's longest edge, padding included [voxel]
+    std::optional<double> voxelSize; ///< instead of `resolution` [unit]
+    int padding = 8;                 ///< around the objects, on all sides [voxel]
+    bool cube = false;               ///< as long along every axis as along the longest
+    std::optional<mesh::Box> bounds; ///< the domain, instead of objects and padding [unit]
+    int supersample = 4;             ///< samples along a voxel's edge: 1, 2, 4 or 8
+    bool sdf = false;                ///< a signed distance grid per object
+    double sdfBand = 4;              ///< its half width [voxel]
+
+    /// Throws UsageError naming the option that is wrong.
+    void check() const;
+};
+
+// One texel either side is left of the 2048 that every OpenGL 4.5 device has along a 3-D texture.
+constexpr int kLongestEdge = 2046;
+
+/// The message of forObject().
+[[noreturn]] void refuseCount(const std::string& option, size_t given, size_t count);
+
+/// The k-th of `given`, which were given once for all or once each for `count` meshes. Throws
+/// UsageError for any other number of them.
+template<typename T>
+const T& forObject(const std::string& option, const std::vector<T>& given, size_t k, size_t count) {
+    if (given.size() == count) return given[k];
+    if (given.size() != 1) refuseCount(option, given.size(), count);
+    return given.front();
+}
+
+} // namespace eikonal::voxelize

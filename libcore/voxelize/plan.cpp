@@ -1,0 +1,100 @@
+// What voxelising a scene will make, decided before anything is allocated.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "voxelize/plan.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <unistd.h>
+
+namespace eikonal::voxelize {
+
+namespace {
+
+mesh::Box boxOf(const Params& params) {
+    if (params.bounds) return *params.bounds;
+    mesh::Box box;
+    for (const Object& object : params.objects) {
+        const mesh::Box own = mesh::boundingBox(object.mesh);
+        box.include(own.min);
+        box.include(own.max);
+    }
+    return box;
+}
+
+/// The whole voxels an edge needs; an edge that is a whole number but for rounding needs no more.
+int voxelsAlong(double edge, double voxelSize) {
+    const double kRounding = 1e-6; // [voxel]
+    // Held to a range that an int can tell; what is too long is refused by the caller.
+    return static_cast<int>(std::clamp(std::ceil(edge / voxelSize - kRounding), 1.0, 1e9));
+}
+
+Lattice latticeOf(const Params& params) {
+    const mesh::Box box = boxOf(params);
+    const glm::dvec3 edges = box.max - box.min;
+    const double longest = std::max({edges.x, edges.y, edges.z});
+    const int padding = params.bounds ? 0 : params.padding;
+    Lattice lattice;
+    lattice.supersample = params.supersample;
+    lattice.voxelSize =
+        params.voxelSize ? *params.voxelSize : longest / (params.resolution - 2 * padding);
+    if (!(lattice.voxelSize > 0) || !std::isfinite(lattice.voxelSize))
+        throw DataError("the meshes' longest edge is " + toText(longest) +
+                        ", expected one that can be divided into voxels");
+    for (int i = 0; i < 3; ++i)
+        lattice.size[i] = voxelsAlong(edges[i], lattice.voxelSize) + 2 * padding;
+    const int most = std::max({lattice.size.x, lattice.size.y, lattice.size.z});
+    if (most > kLongestEdge)
+        throw UsageError((params.voxelSize
+                              ? "--voxel-size: found " + toText(*params.voxelSize)
+                              : "--resolution: found " + std::to_string(params.resolution)) +
+                         ", which makes the longest edge " + std::to_string(most) +
+                         " voxels long, expected at most " + std::to_string(kLongestEdge));
+    if (params.cube) lattice.size = glm::ivec3(most);
+    // Centred, so that what rounding up to whole voxels adds is the same on both sides.
+    lattice.low = (box.min + box.max) / 2.0 - glm::dvec3(lattice.size) / 2.0 * lattice.voxelSize;
+    return lattice;
+}
+
+/// Throws if the machine has not that much memory at all; what is free changes too fast to ask.
+void requireHostFit(std::int64_t bytes) {
+    const double has =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (static_cast<double>(bytes) > has)
+        throw MemoryError("the grids need " + bytesText(static_cast<double>(bytes)) +
+                          ", the host has " + bytesText(has));
+}
+
+} // namespace
+
+Plan makePlan(const Params& params) {
+    Plan plan;
+    plan.lattice = latticeOf(params);
+    const Lattice& lattice = plan.lattice;
+    plan.box = {glm::ivec3(0), lattice.size - 1};
+    plan.frame.voxelSize = lattice.voxelSize;
+    plan.frame.worldFromIndex =
+        glm::scale(glm::translate(glm::dmat4(1), lattice.low + lattice.voxelSize / 2),
+                   glm::dvec3(lattice.voxelSize));
+    int components = 0;
+    for (Grid grid : kGrids) {
+        const GridNeed need = needOf(params, grid);
+        plan.effects.push_back({nameOf(grid), need.needed, need.why});
+        if (!need.needed) continue;
+        plan.grids.push_back(grid);
+        components += componentsOf(grid);
+    }
+    plan.effects.push_back({"sdf", params.sdf, params.sdf ? "--sdf" : "no --sdf"});
+    // Dense floats while they are filled, the largest of them once more as a tree, and the
+    // samples of every object.
+    const auto perVoxel =
+        components * 4 + 12 + static_cast<std::int64_t>(params.objects.size()) * 2;
+    plan.hostBytes = plan.box.voxels() * perVoxel;
+    requireHostFit(plan.hostBytes);
+    return plan;
+}
+
+} // namespace eikonal::voxelize

@@ -1,0 +1,50 @@
+// What the voxelising tests share: one device, and lattices made by hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/shapes.h"
+#include "voxelize/coverage.h"
+
+#include <numeric>
+
+namespace eikonal::voxelize {
+
+inline gpu::Device& testDevice() {
+    static gpu::Device device({});
+    return device;
+}
+
+inline Lattice latticeAt(const glm::dvec3& low, double voxelSize, const glm::ivec3& size,
+                         int supersample) {
+    Lattice lattice;
+    lattice.low = low;
+    lattice.voxelSize = voxelSize;
+    lattice.size = size;
+    lattice.supersample = supersample;
+    return lattice;
+}
+
+/// The counts of the whole lattice, put together from its strips.
+inline std::vector<std::uint16_t> countsOf(const mesh::TriangleMesh& mesh, const Lattice& lattice,
+                                           std::int64_t stripBytes = kStripBytes) {
+    Coverage coverage(testDevice(), lattice, stripBytes);
+    FacetSource source(mesh, lattice);
+    const glm::ivec3 size = lattice.size;
+    std::vector<std::uint16_t> all(static_cast<size_t>(size.x) * size.y * size.z), strip;
+    for (int row = 0; row < size.y; row += coverage.rowsPerStrip()) {
+        const int rows = std::min(coverage.rowsPerStrip(), size.y - row);
+        coverage.count(source, row, rows, strip);
+        for (int z = 0; z < size.z; ++z)
+            std::copy_n(strip.begin() + std::ptrdiff_t{z} * rows * size.x, rows * size.x,
+                        all.begin() + (std::ptrdiff_t{z} * size.y + row) * size.x);
+    }
+    return all;
+}
+
+/// The volume that the counts stand for [unit³].
+inline double volumeOf(const std::vector<std::uint16_t>& counts, const Lattice& lattice) {
+    const double samples = std::accumulate(counts.begin(), counts.end(), 0.0);
+    return samples / lattice.most() * std::pow(lattice.voxelSize, 3);
+}
+
+} // namespace eikonal::voxelize

@@ -1,0 +1,198 @@
+// mesh2vol's command line, and the scene it describes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/error.h"
+#include "base/text.h"
+#include "common/session.h"
+#include "voxelize/params.h"
+
+#include <deque>
+#include <filesystem>
+#include <limits>
+
+namespace eikonal::mesh2vol {
+
+/// An option of an object as given: once for all meshes or once for each.
+struct PerMesh {
+    std::string option;
+    std::vector<std::string> given{};
+};
+
+struct Options {
+    std::vector<std::string> meshes;
+    std::deque<PerMesh> perMesh; // a deque, for CLI11 keeps addresses
+    std::string bounds;
+    double voxelSize = 0;
+    CLI::Option* voxelSizeOption = nullptr;
+    bool repair = false;
+    voxelize::Params params;
+
+    const std::vector<std::string>& given(const std::string& option) const {
+        for (const PerMesh& candidate : perMesh)
+            if (candidate.option == option) return candidate.given;
+        throw InternalError("no option " + option);
+    }
+};
+
+inline CLI::Option* addPerMesh(CLI::App& app, Options& o, const std::string& option,
+                               const std::string& type, const std::string& help) {
+    o.perMesh.push_back({option});
+    return app.add_option(option, o.perMesh.back().given, help)
+        ->type_name(type)
+        ->allow_extra_args(false)
+        ->group("Objects (given once for all meshes, or once for each in their order)");
+}
+
+inline void addObjectOptions(CLI::App& app, Options& o) {
+    addPerMesh(app, o, "--ior", "N", "refractive index at 587.6 nm")->required();
+    addPerMesh(app, o, "--dispersion", "B", "Cauchy B [µm²] (default 0)");
+    addPerMesh(app, o, "--absorption", "R,G,B", "or one number [1/unit] (default 0)");
+    addPerMesh(app, o, "--scattering", "R,G,B", "or one number [1/unit] (default 0)");
+    addPerMesh(app, o, "--anisotropy", "G", "Henyey-Greenstein g in (-1, 1) (default 0)");
+    addPerMesh(app, o, "--emission", "R,G,B", "or one number [radiance/unit] (default 0)");
+    addPerMesh(app, o, "--opacity", "A", "1: the viewing ray stops inside (default 0)");
+    addPerMesh(app, o, "--albedo", "R,G,B", "of what is opaque, or one number (default 0)");
+    addPerMesh(app, o, "--reflectance", "R,G,B",
+               "tint of the mirror reflection, or one number (default 1)");
+    addPerMesh(app, o, "--priority", "INT",
+               "the higher wins where objects overlap, among equals the later (default 0)");
+    addPerMesh(app, o, "--name", "NAME", "for messages and sdf.NAME (default: the file's)");
+}
+
+inline void addMediumOptions(CLI::App& app, voxelize::Material& medium) {
+    const std::string group = "Surrounding medium";
+    app.add_option("--medium-ior", medium.ior, "refractive index")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--medium-dispersion", medium.dispersion, "Cauchy B [µm²]")
+        ->type_name("B")
+        ->capture_default_str()
+        ->group(group);
+    const std::string rgb = "or one number ";
+    tool::addVector(app, "--medium-absorption", medium.absorption, rgb + "[1/unit]", true)
+        ->type_name("R,G,B")
+        ->group(group);
+    tool::addVector(app, "--medium-scattering", medium.scattering, rgb + "[1/unit]", true)
+        ->type_name("R,G,B")
+        ->group(group);
+    app.add_option("--medium-anisotropy", medium.anisotropy, "Henyey-Greenstein g")
+        ->type_name("G")
+        ->capture_default_str()
+        ->group(group);
+    tool::addVector(app, "--medium-emission", medium.emission, rgb + "[radiance/unit]", true)
+        ->type_name("R,G,B")
+        ->group(group);
+}
+
+inline void addOptions(CLI::App& app, Options& o) {
+    voxelize::Params& p = o.params;
+    app.add_option("mesh", o.meshes, "closed surfaces: OBJ, PLY, OFF or STL")
+        ->type_name("MESH")
+        ->required();
+    addObjectOptions(app, o);
+    addMediumOptions(app, p.medium);
+    const std::string group = "Volume";
+    auto* resolution = app.add_option("--resolution", p.resolution,
+                                      "voxels along the longest edge, padding included")
+                           ->type_name("N")
+                           ->capture_default_str()
+                           ->group(group);
+    o.voxelSizeOption = app.add_option("--voxel-size", o.voxelSize, "edge of a voxel [unit]")
+                            ->type_name("S")
+                            ->excludes(resolution)
+                            ->group(group);
+    auto* padding = app.add_option("--padding", p.padding, "voxels around the meshes, on all sides")
+                        ->type_name("VOXELS")
+                        ->capture_default_str()
+                        ->group(group);
+    app.add_option("--bounds", o.bounds, "the domain [unit], instead of meshes and padding")
+        ->type_name("X0,Y0,Z0,X1,Y1,Z1")
+        ->excludes(padding)
+        ->group(group);
+    app.add_flag("--cube", p.cube, "pad to the same number of voxels along every axis")
+        ->group(group);
+    app.add_option("--supersample", p.supersample, "samples along a voxel's edge: 1, 2, 4 or 8")
+        ->type_name("S")
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("--repair", o.repair, "close holes and turn faces outward where needed")
+        ->group(group);
+    app.add_flag("--sdf", p.sdf, "write signed distances too, as sdf or sdf.NAME")->group(group);
+    app.add_option("--sdf-band", p.sdfBand, "half width of their band [voxel]")
+        ->type_name("VOXELS")
+        ->capture_default_str()
+        ->group(group);
+}
+
+/// The value of an object's option, or `fallback` where it was not given.
+class ObjectValues {
+public:
+    ObjectValues(const Options& options, size_t k) : mOptions(options), mIndex(k) {}
+
+    std::string text(const std::string& option, const std::string& fallback) const {
+        const std::vector<std::string>& given = mOptions.given(option);
+        if (given.empty()) return fallback;
+        return voxelize::forObject(option, given, mIndex, mOptions.meshes.size());
+    }
+    void number(const std::string& option, double& value) const {
+        const std::string found = text(option, toText(value));
+        const auto number = parseNumber(found);
+        if (!number) throw UsageError(option + ": found '" + found + "', expected a number");
+        value = *number;
+    }
+    void rgb(const std::string& option, glm::dvec3& value) const {
+        if (!mOptions.given(option).empty())
+            value = tool::parseVector(option, text(option, ""), true);
+    }
+
+private:
+    const Options& mOptions;
+    size_t mIndex;
+};
+
+inline int priorityOf(const ObjectValues& values) {
+    double number = 0;
+    values.number("--priority", number);
+    const auto priority = static_cast<int>(std::clamp(number, -1e9, 1e9));
+    if (priority != number)
+        throw UsageError("--priority: found " + toText(number) + ", expected a whole number");
+    return priority;
+}
+
+inline voxelize::Object objectAt(const Options& o, size_t k) {
+    const ObjectValues values(o, k);
+    voxelize::Object object;
+    voxelize::Material& m = object.material;
+    values.number("--ior", m.ior);
+    values.number("--dispersion", m.dispersion);
+    values.rgb("--absorption", m.absorption);
+    values.rgb("--scattering", m.scattering);
+    values.number("--anisotropy", m.anisotropy);
+    values.rgb("--emission", m.emission);
+    values.number("--opacity", m.opacity);
+    values.rgb("--albedo", m.albedo);
+    values.rgb("--reflectance", m.reflectance);
+    object.priority = priorityOf(values);
+    object.name = values.text("--name", std::filesystem::path(o.meshes[k]).stem().string());
+    return object;
+}
+
+/// The scene's parameters, all but the meshes' triangles, checked. Throws UsageError.
+inline voxelize::Params paramsOf(const Options& o) {
+    voxelize::Params params = o.params;
+    for (size_t k = 0; k < o.meshes.size(); ++k) params.objects.push_back(objectAt(o, k));
+    if (o.voxelSizeOption->count() > 0) params.voxelSize = o.voxelSize;
+    if (!o.bounds.empty()) {
+        const auto b = parseNumbers(o.bounds);
+        if (!b || b->size() != 6)
+            throw UsageError("--bounds: found '" + o.bounds +
+                             "', expected six numbers X0,Y0,Z0,X1,Y1,Z1");
+        params.bounds = mesh::Box{{(*b)[0], (*b)[1], (*b)[2]}, {(*b)[3], (*b)[4], (*b)[5]}};
+    }
+    params.check();
+    return params;
+}
+
+} // namespace eikonal::mesh2vol
