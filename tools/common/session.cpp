@@ -71,6 +71,7 @@ Session::Session(const std::string& name, const std::string& description)
     mOutputOption =
         mApp.add_option("-o,--output", mOutputPaths, "file to write; - is standard output")
             ->type_name("FILE")
+            ->allow_extra_args(false) // what follows is an input
             ->group("Output");
     mApp.add_flag("--no-clobber", mNoClobber, "refuse to replace an existing file")
         ->group("Output");
