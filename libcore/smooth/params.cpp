@@ -18,7 +18,7 @@ constexpr int kMostTaps = 60001;
 } // namespace
 
 int Params::width() const {
-    if (kernel > 0) return kernel;
+    if (kernel) return *kernel;
     const int taps = static_cast<int>(std::ceil(6 * sigma));
     return taps % 2 == 1 ? taps : taps + 1;
 }
@@ -27,8 +27,8 @@ void Params::check() const {
     if (!(sigma >= 0 && sigma <= kMostSigma))
         throw UsageError("--sigma: found " + toText(sigma) + ", expected 0 to " +
                          toText(kMostSigma) + " voxels");
-    if (kernel < 0 || kernel > kMostTaps || (kernel != 0 && kernel % 2 == 0))
-        throw UsageError("--kernel: found " + std::to_string(kernel) +
+    if (kernel && (*kernel < 1 || *kernel > kMostTaps || *kernel % 2 == 0))
+        throw UsageError("--kernel: found " + std::to_string(*kernel) +
                          ", expected an odd number of taps, 1 to " + std::to_string(kMostTaps));
     for (const std::string& grid : grids)
         if (grid.empty()) throw UsageError("--grids: found an empty name, expected NAME,...");

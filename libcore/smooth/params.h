@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,12 @@ namespace eikonal::smooth {
 
 /// The defaults are those of Sun et al. 2008, §4.1: 9 taps, a standard deviation of a sixth of it.
 struct Params {
-    double sigma = 1.5; ///< standard deviation of the Gaussian [voxel]; 0: no smoothing
-    int kernel = 0;     ///< taps along each axis, odd; 0: the next odd number from 6 sigma on
+    double sigma = 1.5;         ///< standard deviation of the Gaussian [voxel]; 0: no smoothing
+    std::optional<int> kernel;  ///< taps along each axis, odd; else the next from 6 sigma on
     bool automaticGrids = true; ///< those of `ior` and `opacity` that are there; else `grids`
     std::vector<std::string> grids;
 
-    /// The taps of the kernel, `kernel` or what stands for 0.
+    /// The taps of the kernel, given or not.
     int width() const;
 
     /// Throws UsageError naming the option that is wrong.

@@ -22,13 +22,8 @@ void addOptions(CLI::App& app, Options& o) {
                    "standard deviation of the Gaussian [voxel]; 0 copies the volume")
         ->type_name("VOXELS")
         ->capture_default_str();
-    app.add_option_function<int>(
-           "--kernel",
-           [&o](int width) {
-               // 0 stands for "not given" in the struct, and is no width.
-               o.params.kernel = width == 0 ? -1 : width;
-           },
-           "taps along each axis, an odd number (default: the next from 6 sigma on)")
+    app.add_option("--kernel", o.params.kernel,
+                   "taps along each axis, an odd number (default: the next from 6 sigma on)")
         ->type_name("WIDTH");
     app.add_option("--grids", o.grids,
                    "float or vec3s grids to smooth (default: those of ior, opacity in the file)")

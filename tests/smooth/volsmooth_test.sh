@@ -1,0 +1,214 @@
+#!/bin/bash
+# The manners of volsmooth: what it answers, with which status, and what it leaves behind.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# volsmooth_test.sh BUILD_FOLDER [NAME]: every test, or only the one named.
+set -u
+build=$(cd "$1" && pwd) || exit 2
+only=${2:-}
+PATH=$build/bin:$build/tests:$PATH
+here=$(cd "$(dirname "$0")" && pwd)/$(basename "$0")
+folder=$(mktemp -d) && cd "$folder" || exit 2
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# fail TEXT: notes a failure of the test that runs.
+fail() {
+    echo "FAILED $name: $1"
+    [ -s stderr ] && sed 's/^/    /' stderr
+    echo "    rerun: bash $here $build $name"
+    failures=$((failures + 1))
+}
+
+# expect STATUS COMMAND...: runs it and checks its exit status; standard output and error are kept
+# in the files stdout and stderr. A status from 64 on wants one line of error.
+expect() {
+    local wanted=$1
+    shift
+    "$@" >stdout 2>stderr
+    local found=$?
+    [ $found -eq "$wanted" ] || fail "'$*' gave $found, expected $wanted"
+    if [ "$wanted" -ge 64 ] && [ "$wanted" -lt 128 ]; then
+        [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*': $(wc -l <stderr) lines of error, expected 1"
+        grep -q '^volsmooth: error: ' stderr || fail "'$*': its error does not say who speaks"
+    fi
+}
+
+# nothing_left: no output, and no temporary of one.
+nothing_left() {
+    local left
+    left=$(find . -name 'out*' -o -name '.out*')
+    [ -z "$left" ] || fail "left behind: $left"
+    rm -f $left
+}
+
+# refuses STATUS ARGUMENTS...: volsmooth fails so, and leaves nothing.
+refuses() {
+    local wanted=$1
+    shift
+    expect "$wanted" volsmooth "$@"
+    nothing_left
+}
+
+says() { grep -q -- "$1" stderr || fail "expected '$1' on standard error"; }
+
+test_help() {
+    expect 0 volsmooth --help
+    grep -q 'IN.vdb' stdout || fail "--help does not name its input"
+    expect 0 volsmooth --version
+    grep -q '^volsmooth [0-9]' stdout || fail "--version names no version"
+}
+
+test_bad_usage() {
+    refuses 64
+    refuses 64 in.vdb
+    refuses 64 -o out.vdb
+    refuses 64 in.vdb -o out.vdb --nonsense
+    refuses 64 in.vdb extra.vdb -o out.vdb
+    local value
+    for value in -1 nan inf x '' 1e9; do refuses 64 in.vdb -o out.vdb --sigma="$value"; done
+    for value in 4 0 -3 1.5 x 100001; do
+        refuses 64 in.vdb -o out.vdb --kernel="$value"
+        says "$value"
+    done
+    for value in '' , ior,; do refuses 64 in.vdb -o out.vdb --grids="$value"; done
+    refuses 64 in.vdb -o out.vdb --device nothing
+    refuses 64 in.vdb -o out.vdb --threads -1
+}
+
+test_output_is_input() {
+    cp in.vdb out.vdb
+    expect 64 volsmooth out.vdb -o out.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed"
+    ln -s out.vdb link.vdb
+    expect 64 volsmooth out.vdb -o link.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed through a link"
+    expect 64 volsmooth out.vdb -o other.vdb --stats out.vdb
+    [ ! -e other.vdb ] || fail "other.vdb was written"
+    rm -f out.vdb link.vdb other.vdb
+}
+
+test_missing_input() {
+    refuses 66 absent.vdb -o out.vdb
+    says absent.vdb
+    refuses 66 in.vdb -o out.vdb --config absent.toml
+}
+
+test_bad_input() {
+    head -c 5000 /dev/zero | tr '\0' x >garbage.vdb
+    : >empty.vdb
+    mkdir -p folder.vdb
+    local file size
+    for file in garbage.vdb empty.vdb folder.vdb; do
+        refuses 65 $file -o out.vdb
+        says $file
+    done
+    size=$(stat -c %s in.vdb)
+    for part in 10 40 300 $((size / 2)) $((size - 1)); do
+        head -c $part in.vdb >cut.vdb
+        refuses 65 cut.vdb -o out.vdb
+        says cut.vdb
+        expect 65 bash -c 'volsmooth - -o out.vdb <cut.vdb'
+        nothing_left
+    done
+}
+
+test_unknown_grid() {
+    refuses 65 in.vdb -o out.vdb --grids smoke
+    says "no grid 'smoke' (found: absorption, ior, opacity)"
+    refuses 65 in.vdb -o out.vdb --grids ior,smoke --sigma 0
+}
+
+test_outputs_that_fail() {
+    refuses 73 in.vdb -o absent/out.vdb
+    says absent/out.vdb
+    echo mine >out.vdb
+    expect 73 volsmooth in.vdb -o out.vdb --no-clobber
+    [ "$(cat out.vdb)" = mine ] || fail "--no-clobber let the file be changed"
+    rm out.vdb
+    refuses 74 in.vdb -o /dev/full
+    expect 74 bash -c 'volsmooth in.vdb -o - >/dev/full'
+}
+
+test_smooths() {
+    expect 0 volsmooth in.vdb -o out.vdb --stats stats.json
+    grep -q '"voxels": 65536' stats.json || fail "--stats does not count the voxels of two grids"
+    grep -q '"name": "smooth"' stats.json || fail "--stats has no pass 'smooth'"
+    [ ! -s stdout ] || fail "it wrote to standard output"
+    cmp -s in.vdb out.vdb && fail "nothing was smoothed"
+    rm out.vdb
+}
+
+test_explains() {
+    expect 0 volsmooth in.vdb --explain
+    grep -q '^ior: on' stdout || fail "--explain does not say that ior is smoothed"
+    expect 0 volsmooth in.vdb --explain --grids absorption
+    grep -q '^absorption: on' stdout || fail "--explain does not say what --grids asks for"
+    nothing_left
+}
+
+test_copies_what_needs_nothing() {
+    expect 0 volsmooth in.vdb -o out.vdb --sigma 0 --stats stats.json
+    says 'nothing in in.vdb to smooth'
+    grep -q '"device": null' stats.json || fail "it opened a device"
+    expect 0 volsmooth in.vdb -o out.vdb --sigma 0 --quiet
+    [ ! -s stderr ] || fail "--quiet talks"
+    rm out.vdb
+    expect 0 make_volume fog.vdb size=8 scattering sphere:3:1:0
+    expect 0 volsmooth fog.vdb -o out.vdb
+    says 'nothing in fog.vdb to smooth'
+    rm out.vdb
+}
+
+test_pipes_and_repeats() {
+    # The history holds the command, which is therefore the same each time.
+    local threads
+    for threads in 1 2; do
+        expect 0 bash -c "volsmooth - -o - <in.vdb | LP_NUM_THREADS=$threads volsmooth - -o - >out$threads"
+    done
+    cmp -s out1 out2 || fail "two runs through a pipe differ"
+    expect 0 volsmooth out1 -o out.vdb --sigma 0 # reads what came through
+    rm -f out*
+    mkdir a b c
+    expect 0 volsmooth in.vdb -o a/out.vdb --threads 1
+    expect 0 volsmooth in.vdb -o b/out.vdb --threads 1
+    expect 0 volsmooth in.vdb -o c/out.vdb --threads 2
+    cmp -s a/out.vdb b/out.vdb || fail "a second run gives other bytes"
+    # Two numbers of threads are two commands in the history, and the file's identifier is made
+    # from that: all but the first block is compared, which ends before the grids' values.
+    cmp -s <(tail -c +4096 a/out.vdb) <(tail -c +4096 c/out.vdb) ||
+        fail "the number of threads changes the values"
+    rm -r a b c
+}
+
+test_signal_leaves_nothing() {
+    # A volume large enough to be met at work.
+    local signal process
+    for signal in TERM INT; do
+        # Through Python, since bash makes background jobs ignore SIGINT for good.
+        python3 -c '
+import os, signal, sys
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+os.execvp("volsmooth", ["volsmooth", "large.vdb", "-o", "out.vdb", "--quiet"])' &
+        process=$!
+        for _ in $(seq 500); do
+            [ -n "$(find . -name '.out*')" ] && break
+            sleep 0.01
+        done
+        kill -$signal $process 2>/dev/null
+        wait $process
+        local status=$?
+        [ $status -eq $((128 + $(kill -l $signal))) ] || fail "status $status after SIG$signal"
+        nothing_left
+    done
+}
+
+make_volume in.vdb size=32 voxel=0.1 ior sphere:1:1.5:1:all opacity sphere:0.5:1:0 \
+    absorption sphere:1:1,2,3:0 || exit 2
+make_volume large.vdb size=192 voxel=0.1 ior linear:2:0.01,0.02,0.03:all || exit 2
+for name in $(declare -F | sed -n 's/^declare -f test_//p'); do
+    [ -n "$only" ] && [ "$name" != "$only" ] && continue
+    "test_$name"
+done
+[ $failures -eq 0 ] && echo "all passed" || echo "$failures failed"
+exit $((failures > 0))
