@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "volume/contract.h"
+#include "volume/level_set.h"
 #include "volume/vdb_stream.h"
 
 #include <algorithm>
@@ -19,7 +20,6 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/Dense.h>
-#include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tools/Prune.h>
 #include <openvdb/tools/ValueTransformer.h>
 #include <tbb/parallel_for.h>
@@ -469,22 +469,10 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
 }
 
 void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
-                         const std::vector<glm::dvec3>& points,
-                         const std::vector<glm::uvec3>& triangles, double halfWidth) {
-    // Index-space points in double, then float: a mesh far from the world's origin keeps its shape.
-    const glm::dmat4 indexFromWorld = mImpl->frame.indexFromWorld();
-    std::vector<openvdb::Vec3s> vdbPoints;
-    vdbPoints.reserve(points.size());
-    for (const glm::dvec3& point : points) {
-        const glm::dvec3 p(indexFromWorld * glm::dvec4(point, 1.0));
-        vdbPoints.emplace_back(openvdb::Vec3d(p.x, p.y, p.z));
-    }
-    std::vector<openvdb::Vec3I> vdbTriangles;
-    vdbTriangles.reserve(triangles.size());
-    for (const glm::uvec3& t : triangles) vdbTriangles.emplace_back(t.x, t.y, t.z);
-    const auto unit = openvdb::math::Transform::createLinearTransform(1.0);
-    auto made = openvdb::tools::meshToLevelSet<FloatGrid>(*unit, vdbPoints, vdbTriangles,
-                                                          static_cast<float>(halfWidth));
+                         const std::vector<glm::dvec3>& points, const std::vector<Shells>& shells,
+                         double halfWidth) {
+    if (shells.empty()) throw InternalError("grid '" + grid + "': no surface to measure from");
+    auto made = makeLevelSet(mImpl->frame.indexFromWorld(), points, shells, halfWidth);
     made->tree().clip(toBox(box));
     const float size = static_cast<float>(mImpl->frame.voxelSize);
     openvdb::tools::foreach (made->beginValueAll(), [size](const FloatGrid::ValueAllIter& it) {
@@ -496,7 +484,9 @@ void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
     made->setName(grid);
     made->setCreator("eikonal");
     const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
-    mImpl->replace(made, {fromCoord(active.min()), fromCoord(active.max())});
+    mImpl->replace(made, active.empty()
+                             ? IndexBox{}
+                             : IndexBox{fromCoord(active.min()), fromCoord(active.max())});
 }
 
 std::string Volume::metadata(const std::string& key) const {

@@ -61,6 +61,12 @@ struct PutOptions {
     std::string vectorType{}; ///< VDB's name: "color", "vector"...; vectors only
 };
 
+/// Closed surfaces side by side: solids, or cavities in the solids named before.
+struct Shells {
+    std::vector<glm::uvec3> triangles; ///< three indices into the points they come with
+    bool cavity = false;
+};
+
 /// One scene volume. Grids are read from the file when first asked for; those never asked for are
 /// read only if the volume is written again, and then copied through whatever they hold.
 class Volume {
@@ -97,11 +103,12 @@ public:
     /// its metadata (class, creator, the user's own). Throws InternalError on a NaN or infinity.
     void put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
              const PutOptions& options);
-    /// Adds a narrow-band signed distance [unit] to closed triangles in world space, negative
+    /// Adds a narrow-band signed distance [unit] to closed surfaces in world space, negative
     /// inside, `halfWidth` voxels wide either side, cut to `box`. (OpenVDB's mesh conversion.)
+    /// `shells` adds and hollows out in its order, the outermost first.
     void putLevelSet(const std::string& grid, const IndexBox& box,
-                     const std::vector<glm::dvec3>& points,
-                     const std::vector<glm::uvec3>& triangles, double halfWidth);
+                     const std::vector<glm::dvec3>& points, const std::vector<Shells>& shells,
+                     double halfWidth);
 
     /// A file's string metadata, or "".
     std::string metadata(const std::string& key) const;

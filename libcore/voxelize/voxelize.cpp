@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxelize/voxelize.h"
 
+#include "mesh/shells.h"
 #include "voxelize/coverage.h"
 #include "voxelize/mixer.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace eikonal::voxelize {
 
@@ -86,10 +88,28 @@ void putGrids(volume::Volume& volume, const Params& params, const Plan& plan, Mi
     }
 }
 
+/// A mesh's solids and cavities, larger ones first, so that what is nested comes after what it
+/// lies in; as few groups as that allows.
+std::vector<volume::Shells> shellsOf(const mesh::TriangleMesh& mesh) {
+    std::vector<mesh::Shell> shells = mesh::findShells(mesh, mesh::sortedEdges(mesh));
+    std::erase_if(shells, [](const mesh::Shell& shell) { return shell.flat; });
+    std::stable_sort(shells.begin(), shells.end(), [](const mesh::Shell& a, const mesh::Shell& b) {
+        return std::abs(a.volume) > std::abs(b.volume);
+    });
+    std::vector<volume::Shells> groups;
+    for (const mesh::Shell& shell : shells) {
+        const bool cavity = shell.volume < 0;
+        if (groups.empty() || groups.back().cavity != cavity) groups.push_back({{}, cavity});
+        for (std::uint32_t face : shell.faces)
+            groups.back().triangles.push_back(mesh.triangles[face]);
+    }
+    return groups;
+}
+
 void putDistances(volume::Volume& volume, const Params& params, const Plan& plan) {
     for (const Object& object : params.objects)
         volume.putLevelSet(params.objects.size() > 1 ? "sdf." + object.name : "sdf", plan.box,
-                           object.mesh.points, object.mesh.triangles, params.sdfBand);
+                           object.mesh.points, shellsOf(object.mesh), params.sdfBand);
 }
 
 } // namespace
