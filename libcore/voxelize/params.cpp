@@ -85,8 +85,8 @@ void Params::check() const {
     require(resolution >= 1 && resolution <= kLongestEdge, "--resolution",
             std::to_string(resolution), "1 to " + std::to_string(kLongestEdge));
     if (voxelSize)
-        require(*voxelSize > 0 && std::isfinite(*voxelSize), "--voxel-size", toText(*voxelSize),
-                "above 0");
+        require(*voxelSize >= kSmallestVoxel && *voxelSize <= kLargestVoxel, "--voxel-size",
+                toText(*voxelSize), toText(kSmallestVoxel) + " to " + toText(kLargestVoxel));
     else if (!bounds)
         require(resolution > 2 * padding, "--resolution", std::to_string(resolution),
                 "more than twice the --padding of " + std::to_string(padding));

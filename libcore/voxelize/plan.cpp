@@ -41,9 +41,10 @@ Lattice latticeOf(const Params& params) {
     lattice.supersample = params.supersample;
     lattice.voxelSize =
         params.voxelSize ? *params.voxelSize : longest / (params.resolution - 2 * padding);
-    if (!(lattice.voxelSize > 0) || !std::isfinite(lattice.voxelSize))
-        throw DataError("the meshes' longest edge is " + toText(longest) +
-                        ", expected one that can be divided into voxels");
+    if (!(lattice.voxelSize >= kSmallestVoxel && lattice.voxelSize <= kLargestVoxel))
+        throw DataError("the domain's longest edge of " + toText(longest) + " makes voxels of " +
+                        toText(lattice.voxelSize) + ", expected " + toText(kSmallestVoxel) +
+                        " to " + toText(kLargestVoxel));
     for (int i = 0; i < 3; ++i)
         lattice.size[i] = voxelsAlong(edges[i], lattice.voxelSize) + 2 * padding;
     const int most = std::max({lattice.size.x, lattice.size.y, lattice.size.z});
