@@ -11,5 +11,5 @@ struct StripParams {
 struct Facet {
     vec4 corners; // x, y of corner a, then of corner b
     vec4 rest;    // x, y of corner c, then the depth's rise per sample along x and y
-    vec4 depth;   // at corner a, least, most; w: +1 where the axis enters the solid, -1 where it leaves
+    vec4 depth;   // at corner a, least, most; w: +1 where the axis enters the solid, else -1
 };

@@ -95,8 +95,11 @@ TEST(Domain, RefusesTooManyVoxels) {
     params.voxelSize = 1e-4;
     EXPECT_THROW(makePlan(params), UsageError);
     params.voxelSize = 1e-300;
-    EXPECT_THROW(makePlan(params), UsageError);
+    EXPECT_THROW(params.check(), UsageError);
     params.voxelSize = {};
+    params.objects[0].mesh = box(dvec3(0), dvec3(1e-20));
+    EXPECT_THROW(makePlan(params), DataError);
+    params.objects[0].mesh = box(dvec3(0), dvec3(1));
     params.resolution = 2046;
     params.objects[0].material.emission = params.objects[0].material.absorption =
         params.objects[0].material.scattering = dvec3(1);
