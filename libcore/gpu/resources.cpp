@@ -155,8 +155,12 @@ void Texture::download(void* data, std::int64_t bytes) const {
 }
 
 void Texture::clear() {
+    fill(nullptr);
+}
+
+void Texture::fill(const void* texel) {
     const FormatFacts format = facts(mFormat);
-    glClearTexImage(mName, 0, format.layout, format.type, nullptr);
+    glClearTexImage(mName, 0, format.layout, format.type, texel);
 }
 
 void Texture::bindSampler(unsigned unit) const {

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/lightsim.h"
 
+#include "base/error.h"
 #include "gpu/program.h"
 #include "lightsim/octree.h"
 #include "lightsim/photon_map.h"
 #include "lightsim/shared.h"
+#include "lightsim/upload.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
 namespace eikonal::lightsim {
@@ -26,33 +28,24 @@ using gpu::Buffer;
 using gpu::Program;
 using gpu::Texture;
 
-// As in shaders/lightsim/ledger.glsl.
-constexpr double kFixedOne = 4194304.0;
-constexpr size_t kLedgerSlots = 256, kAccounts = 16;
-enum Account : size_t {
-    emitted = 0,
-    absorbed = 1,
-    scattered = 4,
-    escaped = 7,
-    lost = 10,
-    steps = 13,
-    deposits = 14,
-    trapped = 15
-};
-
 // Steps a photon makes in one launch before the list is thinned: enough for the photons that meet
 // no boundary to be through, few enough that those done do not hold up their neighbours for long.
 constexpr unsigned kStepsPerLaunch = 48;
 
-// Resolved before more than this could have met in one voxel; see the planes in march.comp.glsl.
-constexpr std::int64_t kPhotonsPerResolve = 1 << 24;
+// Work items that sum up a batch's books: enough to fill a device, few enough to read back.
+constexpr int kAccounts = 1024;
 
-/// Voxel space has its origin at the domain's first voxel.
-glm::dmat4 voxelFromWorld(const volume::Volume& volume) {
-    glm::dmat4 matrix = volume.frame().indexFromWorld();
-    matrix[3] -= glm::dvec4(dvec3(volume.domain().min), 0.0);
-    return matrix;
-}
+/// As in shaders/lightsim/account.comp.glsl.
+struct Account {
+    glm::vec4 remaining, absorbed, scattered, escaped;
+    glm::uvec4 count;
+};
+
+/// A batch's books, in weights and numbers.
+struct Books {
+    dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
+    std::array<double, 4> counts{}; // photons, steps, deposits, trapped
+};
 
 /// The light with its position or direction in voxel space.
 Light toVoxels(const Light& light, const glm::dmat4& voxelFromWorld) {
@@ -63,17 +56,12 @@ Light toVoxels(const Light& light, const glm::dmat4& voxelFromWorld) {
     return out;
 }
 
-std::vector<glm::vec4> boxTriangles(const VoxelBox& box) {
-    const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                             {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    std::vector<glm::vec4> corners;
-    for (const auto& face : faces)
-        for (int i : {0, 1, 2, 0, 2, 3}) {
-            const int c = face[i];
-            corners.emplace_back(c & 1 ? box.high.x : box.low.x, c & 2 ? box.high.y : box.low.y,
-                                 c & 4 ? box.high.z : box.low.z, 1.0);
-        }
-    return corners;
+/// The largest fixed-point unit, a power of two, with which every photon of a batch may cross one
+/// voxel from corner to corner and still leave an eighth of the range free (kNearFull in
+/// shaders/lightsim/march.comp.glsl).
+double unitFor(double photons) {
+    const double kRange = 3758096384.0; // 0xE0000000
+    return std::exp2(std::floor(std::log2(kRange / (std::sqrt(3.0) * photons))));
 }
 
 /// One simulation: what is on the device for its duration, and the loop over lights and batches.
@@ -84,19 +72,23 @@ public:
     Result run(const Progress& progress);
 
 private:
+    void compile();
     void uploadMedium();
     void uploadEmitter();
+    void makeBuffers();
     void traceLight(const Light& light, const Progress& progress);
-    void traceBatch(const Window& window, double weightScale, const Progress& progress);
-    std::uint32_t bear(const Window& window, double weight);
-    std::uint32_t march(std::uint32_t count, const Progress& progress, std::uint32_t born);
-    void dropRest(std::uint32_t count);
-    std::uint32_t takeCount();
-    void resolve(const Light& light, double powerPerWeight);
-    void bookEnergy(const Light& light, double powerPerWeight);
+    void traceBatch(const Window& window, const Light& light, double power,
+                    const Progress& progress);
+    bool traceOnce(const Window& window, const Light& light, double power,
+                   const Progress& progress);
+    void makeLists(const ivec2& pixels);
+    std::uint32_t bear(const Window& window);
+    std::uint32_t march(std::uint32_t count);
+    Books closeBooks(const ivec2& pixels);
+    void resolve(const Light& light, double power);
+    void book(const Light& light, double power, const Books& born, const Books& done);
     void smooth();
     Result download();
-    void dispatchVoxels(const Program& program) const;
 
     gpu::Device& mDevice;
     const volume::Volume& mVolume;
@@ -108,88 +100,62 @@ private:
     glm::dmat4 mVoxelFromWorld;
     VoxelBox mDomain, mTarget;
     Texture mField, mLeaves, mAbsorption, mScattering, mOpaque, mMap;
-    Buffer mEmitter, mLedger, mParamsBlock, mBirthBlock, mResolveBlock;
-    Buffer mPhotons[2];
-    std::vector<Buffer> mPlanes, mFluence, mDirection;
+    Buffer mEmitter, mCount, mParamsBlock, mBirthBlock, mResolveBlock, mPhotons, mLists[2],
+        mAccounts;
+    std::vector<Buffer> mPlanes, mResults; // results: channels of fluence, then of direction
     std::int64_t mEmitterVertices = 0;
-    std::int64_t mUnresolved = 0;
     PhotonParams mTracing{};
-    Program mBirthMap, mBirth, mMarch, mResolve, mSmooth;
-    double mLostWeights[3] = {0, 0, 0}; // of photons that thinning left over
+    Program mBirthMap, mBirth, mMarch, mAccount, mResolve, mSmooth;
 };
 
 Simulation::Simulation(gpu::Device& device, const volume::Volume& volume, const Plan& plan,
                        const Params& params, Stats& stats)
     : mDevice(device), mVolume(volume), mPlan(plan), mParams(params), mStats(stats),
-      mProfiler(stats), mVoxelFromWorld(voxelFromWorld(volume)) {
+      mProfiler(stats), mVoxelFromWorld(volume.frame().indexFromWorld()) {
+    // Voxel space has its origin at the domain's first voxel.
+    mVoxelFromWorld[3] -= glm::dvec4(dvec3(volume.domain().min), 0.0);
     mDomain = {dvec3(-0.5), dvec3(plan.size) - 0.5};
-    const bool direction = plan.wants(Output::direction);
-    mBirthMap = Program(device, "lightsim/birth.vert.glsl", "lightsim/birth.frag.glsl", {});
-    mBirth = Program(device, "lightsim/birth.comp.glsl", {{"BEND", plan.bends}});
-    mMarch = Program(device, "lightsim/march.comp.glsl",
-                     {{"BEND", plan.bends},
-                      {"CHANNELS", plan.tracedChannels()},
-                      {"MEDIUM", plan.attenuates},
-                      {"DIRECTION", direction},
-                      {"OPAQUE", plan.opaque}});
-    mResolve = Program(device, "lightsim/resolve.comp.glsl", {});
-    if (params.smoothing > 0) mSmooth = Program(device, "lightsim/smooth.comp.glsl", {});
-
+    compile();
     uploadMedium();
     uploadEmitter();
-    const std::int64_t voxels = plan.voxels();
-    for (int i = 0; i < plan.planes(); ++i) mPlanes.emplace_back(device, voxels * 8);
-    for (int i = 0; i < plan.fluenceChannels(); ++i) mFluence.emplace_back(device, voxels * 4);
-    for (int i = 0; i < (direction ? 3 : 0); ++i) mDirection.emplace_back(device, voxels * 4);
-    for (auto* buffers : {&mPlanes, &mFluence, &mDirection})
-        for (Buffer& buffer : *buffers) buffer.clear();
-    mLedger = Buffer(device, 16 + kLedgerSlots * kAccounts * 8);
-    mLedger.clear();
-    mParamsBlock = Buffer(device, sizeof(PhotonParams));
-    mBirthBlock = Buffer(device, sizeof(BirthParams));
-    mResolveBlock = Buffer(device, sizeof(ResolveParams));
-
-    mTracing.size = ivec4(plan.size, static_cast<int>(voxels));
+    makeBuffers();
+    mTracing.size = ivec4(plan.size, static_cast<int>(plan.voxels()));
     mTracing.list = uvec4(0, kStepsPerLaunch, params.maxSteps, 0);
     mTracing.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
     mTracing.index = vec4(plan.index.least, 0, 0, 0);
 }
 
+void Simulation::compile() {
+    mProfiler.begin("shaders");
+    const int channels = mPlan.tracedChannels();
+    const bool direction = mPlan.wants(Output::direction);
+    mBirthMap = Program(mDevice, "lightsim/birth.vert.glsl", "lightsim/birth.frag.glsl", {});
+    mBirth = Program(mDevice, "lightsim/birth.comp.glsl", {{"BEND", mPlan.bends}});
+    mMarch = Program(mDevice, "lightsim/march.comp.glsl",
+                     {{"BEND", mPlan.bends},
+                      {"CHANNELS", channels},
+                      {"MEDIUM", mPlan.attenuates},
+                      {"DIRECTION", direction},
+                      {"OPAQUE", mPlan.opaque}});
+    mAccount = Program(mDevice, "lightsim/account.comp.glsl", {});
+    mResolve = Program(
+        mDevice, "lightsim/resolve.comp.glsl",
+        {{"CHANNELS", channels}, {"FLUENCE", mPlan.fluenceChannels()}, {"DIRECTION", direction}});
+    if (mParams.smoothing > 0) mSmooth = Program(mDevice, "lightsim/smooth.comp.glsl", {});
+    mProfiler.end();
+}
+
 void Simulation::uploadMedium() {
     mProfiler.begin("medium");
-    const auto texture = [&](gpu::TexelFormat format, const void* data) {
-        Texture made(mDevice, mPlan.size, format, gpu::Filter::nearest);
-        made.upload(data);
-        return made;
-    };
-    const auto voxels = static_cast<size_t>(mPlan.voxels());
-    const auto perVoxel = static_cast<float>(mPlan.voxelSize); // 1/unit to 1/voxel
-    if (mPlan.attenuates && !mPlan.colour) {
-        std::vector<float> both(voxels * 2);
-        for (size_t i = 0; i < voxels; ++i) {
-            both[2 * i] = mPlan.absorption.at(i, 0) * perVoxel;
-            both[2 * i + 1] = mPlan.scattering.at(i, 0) * perVoxel;
-        }
-        mAbsorption = texture(gpu::TexelFormat::rg32f, both.data());
-    } else if (mPlan.attenuates) {
-        std::vector<float> rgba(voxels * 4);
-        for (auto [from, to] :
-             {std::pair{&mPlan.absorption, &mAbsorption}, {&mPlan.scattering, &mScattering}}) {
-            for (size_t i = 0; i < voxels; ++i)
-                for (int c = 0; c < 3; ++c) rgba[4 * i + c] = from->at(i, c) * perVoxel;
-            *to = texture(gpu::TexelFormat::rgba32f, rgba.data());
-        }
-    }
-    if (mPlan.opaque) {
-        std::vector<std::uint8_t> solid(voxels);
-        for (size_t i = 0; i < voxels; ++i) solid[i] = mPlan.opacity.grid.values[i] > 0.5f;
-        mOpaque = texture(gpu::TexelFormat::r8ui, solid.data());
-    }
     if (mPlan.bends) mField = medium::makeField(mDevice, mPlan.index.grid);
+    if (mPlan.attenuates) {
+        mAbsorption = makeAbsorption(mDevice, mPlan);
+        if (mPlan.colour) mScattering = makeScattering(mDevice, mPlan);
+    }
+    if (mPlan.opaque) mOpaque = makeOpaque(mDevice, mPlan);
     mProfiler.end();
-    if (!mPlan.bends) return;
     mProfiler.begin("octree");
-    mLeaves = makeOctree(mDevice, mPlan.index.grid, mParams);
+    mLeaves = makeOctree(mDevice, mPlan, mParams);
     mProfiler.end();
 }
 
@@ -197,7 +163,7 @@ void Simulation::uploadEmitter() {
     std::vector<glm::vec4> corners;
     mTarget = mDomain;
     if (mParams.proxy.empty()) {
-        corners = boxTriangles(mDomain);
+        corners = triangles(mDomain);
     } else {
         mTarget = {dvec3(1e300), dvec3(-1e300)};
         for (const dvec3& corner : mParams.proxy) {
@@ -209,6 +175,20 @@ void Simulation::uploadEmitter() {
     }
     mEmitterVertices = static_cast<std::int64_t>(corners.size());
     mEmitter = Buffer(mDevice, mEmitterVertices * 16, corners.data());
+}
+
+void Simulation::makeBuffers() {
+    const std::int64_t bytes = mPlan.voxels() * 4;
+    const int results = mPlan.fluenceChannels() + (mPlan.wants(Output::direction) ? 3 : 0);
+    for (int i = 0; i < mPlan.planes(); ++i) mPlanes.emplace_back(mDevice, bytes);
+    for (int i = 0; i < results; ++i) mResults.emplace_back(mDevice, bytes);
+    for (auto* buffers : {&mPlanes, &mResults})
+        for (Buffer& buffer : *buffers) buffer.clear();
+    mCount = Buffer(mDevice, 16);
+    mAccounts = Buffer(mDevice, kAccounts * static_cast<std::int64_t>(sizeof(Account)));
+    mParamsBlock = Buffer(mDevice, sizeof(PhotonParams));
+    mBirthBlock = Buffer(mDevice, sizeof(BirthParams));
+    mResolveBlock = Buffer(mDevice, sizeof(ResolveParams));
 }
 
 Result Simulation::run(const Progress& progress) {
@@ -225,14 +205,16 @@ Result Simulation::run(const Progress& progress) {
 }
 
 void Simulation::traceLight(const Light& light, const Progress& progress) {
+    mStats.hasEnergy = true;
     const double total = light.rgb.x + light.rgb.y + light.rgb.z;
     if (total <= 0) return;
     mTracing.colour = vec4(light.rgb / total, 0);
-    // The golden ratio's powers spread successive seeds evenly over a pixel.
+    // The plastic number's powers spread successive seeds evenly over a pixel.
     const dvec2 shift = glm::fract(static_cast<double>(mParams.seed) *
                                    dvec2(0.7548776662466927, 0.5698402909980532));
     const std::vector<Window> windows =
         windowsOf(light, mTarget, mDomain, mParams.photons, shift, !mParams.proxy.empty());
+    const double all = static_cast<double>(windows.size());
     for (size_t w = 0; w < windows.size(); ++w) {
         const Window& window = windows[w];
         const double h = mPlan.voxelSize;
@@ -242,51 +224,64 @@ void Simulation::traceLight(const Light& light, const Progress& progress) {
         const int b = std::max(
             1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(kBatchPixels)))));
         for (int batch = 0; batch < b * b; ++batch) {
-            const double done = static_cast<double>(w) + batch / static_cast<double>(b * b);
-            const double last = static_cast<double>(w) + (batch + 1) / static_cast<double>(b * b);
-            const auto all = static_cast<double>(windows.size());
-            traceBatch(window.batch(batch % b, batch / b, b), 1.0,
-                       partOf(progress, done / all, last / all));
-            if (mUnresolved + kBatchPixels > kPhotonsPerResolve) resolve(light, power);
+            const double part = 1.0 / (b * b);
+            const double begun = static_cast<double>(w) + batch * part;
+            traceBatch(window.batch(batch % b, batch / b, b), light, power,
+                       partOf(progress, begun / all, (begun + part) / all));
         }
-        // A window's photons have their own power.
-        resolve(light, power);
-        bookEnergy(light, power);
     }
 }
 
-void Simulation::traceBatch(const Window& window, double weight, const Progress& progress) {
-    const std::uint32_t born = bear(window, weight);
-    mStats.count("photons", born);
-    mUnresolved += born;
+void Simulation::traceBatch(const Window& window, const Light& light, double power,
+                            const Progress& progress) {
+    const double pixels = static_cast<double>(window.pixels.x) * window.pixels.y;
+    if (pixels == 0) return;
+    makeLists(window.pixels);
+    const double kLeast = 1.0 / 1024; // 2^32 voxel lengths of every photon: beyond any path
+    for (double unit = unitFor(pixels); unit >= kLeast; unit /= 16) {
+        mTracing.limits.z = static_cast<float>(unit);
+        if (traceOnce(window, light, power, progress)) return;
+        mStats.count("batches_run_again", 1);
+        for (Buffer& plane : mPlanes) plane.clear();
+    }
+    throw InternalError("photons overflow a voxel's sum");
+}
+
+bool Simulation::traceOnce(const Window& window, const Light& light, double power,
+                           const Progress& progress) {
+    std::uint32_t count = bear(window);
+    const std::uint32_t born = count;
+    const Books birth = closeBooks(window.pixels);
     const auto few = static_cast<std::uint32_t>(mParams.thinTo * born);
-    std::uint32_t count = born;
-    while (count > few) count = march(count, progress, born);
-    dropRest(count);
-    report(progress, 1.0);
-}
-
-std::uint32_t Simulation::takeCount() {
-    std::uint32_t count = 0;
-    mLedger.download(&count, sizeof count);
-    const std::uint32_t zero = 0;
-    mLedger.upload(&zero, sizeof zero);
-    return count;
-}
-
-std::uint32_t Simulation::bear(const Window& window, double weight) {
-    mProfiler.begin("photon birth");
-    if (mMap.name() == 0 || mMap.size() != ivec3(window.pixels, 0)) {
-        mMap = Texture();
-        mMap = Texture(mDevice, ivec3(window.pixels, 0), gpu::TexelFormat::rgba32f,
-                       gpu::Filter::nearest);
-        for (Buffer& list : mPhotons) {
-            list = Buffer();
-            list = Buffer(mDevice, std::int64_t{window.pixels.x} * window.pixels.y *
-                                       static_cast<std::int64_t>(sizeof(Photon)));
-        }
+    mProfiler.begin("photons");
+    while (count > few) {
+        count = march(count);
+        report(progress, 1.0 - static_cast<double>(count) / born);
     }
-    mMap.clear();
+    mProfiler.end();
+    std::uint32_t overflowed = 0;
+    mCount.download(&overflowed, 4, 4);
+    if (overflowed != 0) return false;
+    const Books done = closeBooks(window.pixels);
+    book(light, power, birth, done);
+    if (count > 0) mStats.count("photons_left_by_thinning", count);
+    resolve(light, power);
+    report(progress, 1.0);
+    return true;
+}
+
+void Simulation::makeLists(const ivec2& pixels) {
+    if (mMap.name() != 0 && mMap.size() == ivec3(pixels, 0)) return;
+    const std::int64_t count = std::int64_t{pixels.x} * pixels.y;
+    mMap = Texture(); // freed before the next is allocated
+    for (Buffer* buffer : {&mPhotons, &mLists[0], &mLists[1]}) *buffer = Buffer();
+    mMap = Texture(mDevice, ivec3(pixels, 0), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
+    mPhotons = Buffer(mDevice, count * static_cast<std::int64_t>(sizeof(Photon)));
+    for (Buffer& list : mLists) list = Buffer(mDevice, count * 4);
+}
+
+std::uint32_t Simulation::bear(const Window& window) {
+    mProfiler.begin("photon birth");
     BirthParams birth{};
     birth.clipFromVoxel = mat4(window.clipFromVoxel());
     birth.right = vec4(window.right, 0);
@@ -296,144 +291,122 @@ std::uint32_t Simulation::bear(const Window& window, double weight) {
     birth.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
     birth.low = vec4(mDomain.low, 0);
     birth.high = vec4(mDomain.high, 0);
-    birth.weight = vec4(weight, window.point ? 1 : 0, 0, 0);
-    birth.map = ivec4(window.pixels, 0, 0);
+    birth.weight = vec4(window.point ? 1 : 0, 0, 0, 0);
+    birth.map = ivec4(window.pixels, static_cast<int>(mParams.seed), 0);
     mBirthBlock.upload(&birth, sizeof birth);
     mParamsBlock.upload(&mTracing, sizeof mTracing);
     mBirthBlock.bindUniform(0);
     mParamsBlock.bindUniform(1);
+    mMap.clear();
     if (!window.startsAtLight) {
         mEmitter.bindStorage(0);
         gpu::drawTriangles(mBirthMap, mEmitterVertices, window.pixels.x, window.pixels.y, &mMap);
         gpu::barrier();
     }
-    mLedger.bindStorage(0);
-    mPhotons[0].bindStorage(1);
+    mCount.clear();
+    mCount.bindStorage(0);
+    mPhotons.bindStorage(1);
+    mLists[0].bindStorage(2);
     mMap.bindSampler(0);
     if (mPlan.bends) mField.bindSampler(1);
     mBirth.dispatch({window.pixels, 1});
     gpu::barrier();
     mDevice.check("photon birth");
-    const std::uint32_t born = takeCount();
+    std::uint32_t born = 0;
+    mCount.download(&born, sizeof born);
     mProfiler.end();
     return born;
 }
 
-std::uint32_t Simulation::march(std::uint32_t count, const Progress& progress, std::uint32_t born) {
-    mProfiler.begin("photons");
+std::uint32_t Simulation::march(std::uint32_t count) {
+    const std::uint32_t zero = 0;
+    mCount.upload(&zero, sizeof zero);
     mTracing.list.x = count;
+    mTracing.list.y = kStepsPerLaunch;
     mParamsBlock.upload(&mTracing, sizeof mTracing);
     mParamsBlock.bindUniform(0);
-    mLedger.bindStorage(0);
-    mPhotons[0].bindStorage(1);
-    mPhotons[1].bindStorage(2);
+    mCount.bindStorage(0);
+    mPhotons.bindStorage(1);
+    mLists[0].bindStorage(2);
+    mLists[1].bindStorage(3);
     for (size_t i = 0; i < mPlanes.size(); ++i)
-        mPlanes[i].bindStorage(3 + static_cast<unsigned>(i));
-    if (mPlan.bends) {
-        mField.bindSampler(1);
-        mLeaves.bindSampler(2);
-    }
-    if (mPlan.attenuates) mAbsorption.bindSampler(3);
-    if (mPlan.attenuates && mPlan.colour) mScattering.bindSampler(4);
-    if (mPlan.opaque) mOpaque.bindSampler(5);
+        mPlanes[i].bindStorage(4 + static_cast<unsigned>(i));
+    const Texture* textures[] = {&mField, &mLeaves, &mAbsorption, &mScattering, &mOpaque};
+    for (unsigned unit = 0; unit < 5; ++unit)
+        if (textures[unit]->name() != 0) textures[unit]->bindSampler(1 + unit);
     mMarch.dispatch({static_cast<int>(count), 1, 1});
     gpu::barrier();
     mDevice.check("photons");
-    const std::uint32_t left = takeCount();
-    mProfiler.end();
-    std::swap(mPhotons[0], mPhotons[1]);
-    report(progress, 1.0 - static_cast<double>(left) / born);
+    std::uint32_t left = 0;
+    mCount.download(&left, sizeof left);
+    std::swap(mLists[0], mLists[1]);
     return left;
 }
 
-void Simulation::dropRest(std::uint32_t count) {
-    if (count == 0) return;
-    std::vector<Photon> rest(count);
-    mPhotons[0].download(rest.data(), static_cast<std::int64_t>(count * sizeof(Photon)));
-    mStats.count("photons_left_by_thinning", count);
-    // In order of weight, since the list's own order differs between runs.
-    for (int c = 0; c < 3; ++c) {
-        std::vector<float> weights;
-        for (const Photon& photon : rest)
-            weights.push_back(c == 0 || !mPlan.colour ? photon.place.w
-                              : c == 1                ? photon.wave.w
-                                                      : photon.state.x);
-        std::sort(weights.begin(), weights.end());
-        for (float weight : weights) mLostWeights[c] += static_cast<double>(weight);
+Books Simulation::closeBooks(const ivec2& pixels) {
+    mProfiler.begin("books");
+    mTracing.list.y = kAccounts;
+    mTracing.list.w = static_cast<unsigned>(pixels.x) * static_cast<unsigned>(pixels.y);
+    mParamsBlock.upload(&mTracing, sizeof mTracing);
+    mParamsBlock.bindUniform(0);
+    mPhotons.bindStorage(1);
+    mAccounts.bindStorage(2);
+    mAccount.dispatch({kAccounts, 1, 1});
+    gpu::barrier();
+    std::vector<Account> accounts(kAccounts);
+    mAccounts.download(accounts.data(), mAccounts.bytes());
+    Books books;
+    for (const Account& account : accounts) {
+        books.remaining += dvec3(account.remaining);
+        books.absorbed += dvec3(account.absorbed);
+        books.scattered += dvec3(account.scattered);
+        books.escaped += dvec3(account.escaped);
+        for (int i = 0; i < 4; ++i) books.counts[static_cast<size_t>(i)] += account.count[i];
     }
+    mProfiler.end();
+    return books;
 }
 
-void Simulation::dispatchVoxels(const Program& program) const {
-    // Rows of 2^20 voxels: one dimension alone holds 65,535 groups at least, not more.
-    const std::int64_t row = 1 << 20;
-    const std::int64_t voxels = mPlan.voxels();
-    program.dispatch(
-        {static_cast<int>(std::min(voxels, row)), static_cast<int>((voxels + row - 1) / row), 1});
+void Simulation::book(const Light& light, double power, const Books& born, const Books& done) {
+    Energy& energy = mStats.energy;
+    for (int c = 0; c < 3; ++c) {
+        const double watts = light.rgb[c] * power;
+        const auto i = static_cast<size_t>(c);
+        const int channel = mPlan.colour ? c : 0;
+        energy.emitted[i] += born.remaining[channel] * watts;
+        energy.entered[i] += born.remaining[channel] * watts;
+        energy.absorbed[i] += done.absorbed[channel] * watts;
+        energy.scattered[i] += done.scattered[channel] * watts;
+        energy.escaped[i] += done.escaped[channel] * watts;
+        energy.lost[i] += (done.remaining[channel] - done.escaped[channel]) * watts;
+    }
+    const char* names[] = {"photons", "steps", "deposits", "trapped"};
+    for (size_t i = 0; i < 4; ++i) mStats.count(names[i], done.counts[i]);
+    mStats.count("atomic_adds", done.counts[2] * static_cast<double>(mPlanes.size()));
 }
 
-void Simulation::resolve(const Light& light, double powerPerWeight) {
+void Simulation::resolve(const Light& light, double power) {
     mProfiler.begin("resolve");
     const double h = mPlan.voxelSize;
     // Track-length estimate: power × path length / voxel volume. [1/m² per unit of fixed point]
-    const double unit = powerPerWeight / (h * h) / kFixedOne;
-    const int traced = mPlan.tracedChannels(), fluence = mPlan.fluenceChannels();
+    const double unit = power / (h * h) / static_cast<double>(mTracing.limits.z);
     ResolveParams values{};
     values.size = mTracing.size;
-    const auto resolvePlane = [&](size_t plane, int targets) {
-        values.planes.y = targets;
-        mResolveBlock.upload(&values, sizeof values);
-        mResolveBlock.bindUniform(0);
-        mPlanes[plane].bindStorage(0);
-        dispatchVoxels(mResolve);
-        gpu::barrier();
-    };
-    for (int c = 0; c < traced; ++c) {
-        const bool spread = traced == 1 && fluence == 3;
-        values.fluence = vec4(unit * (spread ? light.rgb : dvec3(light.rgb[c])), 0);
-        mFluence[static_cast<size_t>(c)].bindStorage(1);
-        if (spread) {
-            mFluence[1].bindStorage(2);
-            mFluence[2].bindStorage(3);
-        }
-        resolvePlane(static_cast<size_t>(c), spread ? 3 : 1);
-    }
-    const double total = light.rgb.x + light.rgb.y + light.rgb.z;
-    for (size_t axis = 0; axis < mDirection.size(); ++axis) {
-        values.fluence = vec4(unit * total, 0, 0, 0);
-        mDirection[axis].bindStorage(1);
-        resolvePlane(static_cast<size_t>(traced) + axis, 1);
-    }
+    values.fluence = vec4(unit * light.rgb, 0);
+    values.colour = mTracing.colour;
+    values.colour.w = static_cast<float>(unit * (light.rgb.x + light.rgb.y + light.rgb.z));
+    mResolveBlock.upload(&values, sizeof values);
+    mResolveBlock.bindUniform(0);
+    for (size_t i = 0; i < mPlanes.size(); ++i) mPlanes[i].bindStorage(static_cast<unsigned>(i));
+    for (size_t i = 0; i < mResults.size(); ++i)
+        mResults[i].bindStorage(6 + static_cast<unsigned>(i));
+    // Rows of 2^20 voxels: a device takes 65,535 groups along one dimension, maybe not more.
+    const std::int64_t row = 1 << 20, voxels = mPlan.voxels();
+    mResolve.dispatch(
+        {static_cast<int>(std::min(voxels, row)), static_cast<int>((voxels + row - 1) / row), 1});
+    gpu::barrier();
     mDevice.check("resolve");
     mProfiler.end();
-    mUnresolved = 0;
-}
-
-void Simulation::bookEnergy(const Light& light, double powerPerWeight) {
-    std::vector<std::uint64_t> ledger(kLedgerSlots * kAccounts);
-    mLedger.download(ledger.data(), static_cast<std::int64_t>(ledger.size() * 8), 16);
-    mLedger.clear();
-    std::array<double, kAccounts> sums{};
-    for (size_t slot = 0; slot < kLedgerSlots; ++slot)
-        for (size_t account = 0; account < kAccounts; ++account)
-            sums[account] += static_cast<double>(ledger[slot * kAccounts + account]);
-    mStats.hasEnergy = true;
-    Energy& energy = mStats.energy;
-    for (int c = 0; c < 3; ++c) {
-        const double watts = light.rgb[c] * powerPerWeight;
-        const auto i = static_cast<size_t>(c);
-        const size_t channel = mPlan.colour ? i : 0;
-        energy.emitted[i] += sums[emitted] / kFixedOne * watts;
-        energy.entered[i] += sums[emitted] / kFixedOne * watts;
-        energy.absorbed[i] += sums[absorbed + channel] / kFixedOne * watts;
-        energy.scattered[i] += sums[scattered + channel] / kFixedOne * watts;
-        energy.escaped[i] += sums[escaped + channel] / kFixedOne * watts;
-        energy.lost[i] += (sums[lost + channel] / kFixedOne + mLostWeights[channel]) * watts;
-    }
-    std::fill(std::begin(mLostWeights), std::end(mLostWeights), 0.0);
-    mStats.count("steps", sums[steps]);
-    mStats.count("deposits", sums[deposits]);
-    mStats.count("atomic_adds", sums[deposits] * static_cast<double>(mPlanes.size()));
-    mStats.count("trapped", sums[trapped]);
 }
 
 void Simulation::smooth() {
@@ -443,18 +416,17 @@ void Simulation::smooth() {
     Buffer scratch(mDevice, mPlan.voxels() * 4);
     ResolveParams values{};
     values.size = mTracing.size;
-    for (auto* buffers : {&mFluence, &mDirection})
-        for (Buffer& buffer : *buffers)
-            for (int pass = 0; pass < 3 * mParams.smoothing; ++pass) {
-                values.planes.z = pass % 3;
-                mResolveBlock.upload(&values, sizeof values);
-                mResolveBlock.bindUniform(0);
-                buffer.bindStorage(0);
-                scratch.bindStorage(1);
-                mSmooth.dispatch(mPlan.size);
-                gpu::barrier();
-                std::swap(buffer, scratch);
-            }
+    for (Buffer& result : mResults)
+        for (int pass = 0; pass < 3 * mParams.smoothing; ++pass) {
+            values.planes.z = pass % 3;
+            mResolveBlock.upload(&values, sizeof values);
+            mResolveBlock.bindUniform(0);
+            result.bindStorage(0);
+            scratch.bindStorage(1);
+            mSmooth.dispatch(mPlan.size);
+            gpu::barrier();
+            std::swap(result, scratch);
+        }
     mDevice.check("smooth");
     mProfiler.end();
 }
@@ -462,31 +434,29 @@ void Simulation::smooth() {
 Result Simulation::download() {
     mProfiler.begin("download");
     const auto voxels = static_cast<size_t>(mPlan.voxels());
-    const auto fetch = [&](const Buffer& buffer) {
-        std::vector<float> values(voxels);
-        buffer.download(values.data(), buffer.bytes());
-        return values;
+    std::vector<std::vector<float>> values;
+    for (const Buffer& buffer : mResults) {
+        values.emplace_back(voxels);
+        buffer.download(values.back().data(), buffer.bytes());
+    }
+    const auto channels = static_cast<size_t>(mPlan.fluenceChannels());
+    const auto fluence = [&](size_t c) -> const std::vector<float>& {
+        return values[std::min(c, channels - 1)];
     };
     Result result;
-    std::vector<std::vector<float>> fluence, direction;
-    for (const Buffer& buffer : mFluence) fluence.push_back(fetch(buffer));
-    for (const Buffer& buffer : mDirection) direction.push_back(fetch(buffer));
-    const auto channel = [&](size_t c) -> const std::vector<float>& {
-        return fluence[std::min(c, fluence.size() - 1)];
-    };
     if (mPlan.wants(Output::fluence)) {
         result.fluence = {mPlan.size, 3, std::vector<float>(voxels * 3)};
-        for (size_t c = 0; c < 3; ++c)
-            for (size_t i = 0; i < voxels; ++i) result.fluence.values[3 * i + c] = channel(c)[i];
+        for (size_t i = 0; i < voxels; ++i)
+            for (size_t c = 0; c < 3; ++c) result.fluence.values[3 * i + c] = fluence(c)[i];
     }
     if (mPlan.wants(Output::direction)) {
         result.direction = {mPlan.size, 3, std::vector<float>(voxels * 3, 0.0f)};
-        const glm::dmat3 worldFromVoxel(mVolume.frame().worldFromIndex);
-        const glm::mat3 turn(worldFromVoxel / mPlan.voxelSize);
+        const glm::mat3 turn(glm::dmat3(mVolume.frame().worldFromIndex) / mPlan.voxelSize);
         for (size_t i = 0; i < voxels; ++i) {
-            const float power = channel(0)[i] + channel(1)[i] + channel(2)[i];
+            const float power = fluence(0)[i] + fluence(1)[i] + fluence(2)[i];
             if (!(power > 0)) continue;
-            glm::vec3 mean = glm::vec3(direction[0][i], direction[1][i], direction[2][i]) / power;
+            glm::vec3 mean(values[channels][i], values[channels + 1][i], values[channels + 2][i]);
+            mean /= power;
             const float length = glm::length(mean);
             if (length > 1) mean /= length; // rounding of the fixed-point sums
             mean = turn * mean;

@@ -31,27 +31,57 @@ std::vector<ivec4> layLevels(ivec3 size) {
     return levels;
 }
 
+/// σ_t of the channel that dims most [1/voxel], or nothing if it is the same in every voxel.
+std::vector<float> extinctionPerVoxel(const Plan& plan) {
+    if (!plan.attenuates) return {};
+    std::vector<float> sigma(static_cast<size_t>(plan.voxels()));
+    const auto h = static_cast<float>(plan.voxelSize);
+    bool varies = false;
+    for (size_t i = 0; i < sigma.size(); ++i) {
+        for (int c = 0; c < plan.tracedChannels(); ++c)
+            sigma[i] =
+                std::max(sigma[i], (plan.absorption.at(i, c) + plan.scattering.at(i, c)) * h);
+        varies |= sigma[i] != sigma[0];
+    }
+    return varies ? sigma : std::vector<float>();
+}
+
 } // namespace
 
-gpu::Texture makeOctree(gpu::Device& device, const volume::DenseGrid& index, const Params& params) {
-    const std::vector<ivec4> levels = layLevels(index.size);
+gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& params) {
+    const std::vector<ivec4> levels = layLevels(plan.size);
     const int top = static_cast<int>(levels.size()) - 1;
-    const std::int64_t nodes = std::int64_t{levels.back().w} + 1;
-    const gpu::Buffer source(device, static_cast<std::int64_t>(index.values.size() * sizeof(float)),
-                             index.values.data());
-    const gpu::Buffer pyramid(device, nodes * 8);
+    gpu::Texture leaves(device, ivec3(levels[0]), gpu::TexelFormat::r32ui, gpu::Filter::nearest);
+    const std::vector<float> extinction = extinctionPerVoxel(plan);
+    if (!plan.bends && extinction.empty()) {
+        // Nothing varies: one leaf without a limit, as packLeaf() in shaders/lib/octree.glsl.
+        const std::uint32_t endless = 30u | (16000000u << 5u);
+        leaves.fill(&endless);
+        return leaves;
+    }
+    const auto upload = [&](const std::vector<float>& values) {
+        return gpu::Buffer(device, static_cast<std::int64_t>(values.size() * sizeof(float)),
+                           values.data());
+    };
+    const gpu::Buffer index = upload(plan.bends ? plan.index.grid.values : std::vector<float>());
+    const gpu::Buffer dimming = upload(extinction);
+    const gpu::Buffer pyramid(device, (std::int64_t{levels.back().w} + 1) * 16);
     const gpu::Buffer table(device, static_cast<std::int64_t>(levels.size() * sizeof(ivec4)),
                             levels.data());
-    source.bindStorage(0);
+    index.bindStorage(0);
     pyramid.bindStorage(1);
     table.bindStorage(2);
+    dimming.bindStorage(3);
 
     OctreeParams values{};
-    values.size = ivec4(index.size, top);
+    values.size = ivec4(plan.size, top);
     values.limits = vec4(params.tolerance, params.secondTolerance, params.stepLimit, 0);
-    const gpu::Program programs[3] = {{device, "lightsim/pyramid.comp.glsl", {{"SOURCE", 0}}},
-                                      {device, "lightsim/pyramid.comp.glsl", {{"SOURCE", 1}}},
-                                      {device, "lightsim/pyramid.comp.glsl", {{"SOURCE", 2}}}};
+    const auto source = [&](int from) {
+        return gpu::Program(
+            device, "lightsim/pyramid.comp.glsl",
+            {{"SOURCE", from}, {"INDEX", plan.bends}, {"EXTINCTION", !extinction.empty()}});
+    };
+    const gpu::Program programs[3] = {source(0), source(1), source(2)};
     gpu::Buffer block(device, sizeof values);
     block.bindUniform(0);
     for (int level = 0; level <= top; ++level) {
@@ -62,7 +92,6 @@ gpu::Texture makeOctree(gpu::Device& device, const volume::DenseGrid& index, con
         programs[std::min(level, 2)].dispatch(ivec3(values.nodes));
         gpu::barrier();
     }
-    gpu::Texture leaves(device, ivec3(levels[0]), gpu::TexelFormat::r32ui, gpu::Filter::nearest);
     const gpu::Program label(device, "lightsim/leaves.comp.glsl", {});
     values.nodes = levels[0];
     block.upload(&values, sizeof values);
@@ -79,12 +108,7 @@ OctreeDump dumpOctree(gpu::Device& device, const Plan& plan, const Params& param
     const auto voxels = static_cast<size_t>(plan.voxels());
     dump.level.values.assign(voxels, 0);
     dump.stepLimit.values.assign(voxels, 1e6f);
-    volume::DenseGrid index = plan.index.grid;
-    if (index.values.empty()) {
-        index.size = plan.size;
-        index.values.assign(voxels, plan.index.background);
-    }
-    const gpu::Texture leaves = makeOctree(device, index, params);
+    const gpu::Texture leaves = makeOctree(device, plan, params);
     const ivec3 pairs = leaves.size();
     std::vector<std::uint32_t> packed(static_cast<size_t>(pairs.x) * pairs.y * pairs.z);
     leaves.download(packed.data(), static_cast<std::int64_t>(packed.size() * 4));

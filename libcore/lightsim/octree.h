@@ -3,12 +3,11 @@
 #pragma once
 
 #include "gpu/resources.h"
-#include "lightsim/params.h"
-#include "volume/volume.h"
+#include "lightsim/plan.h"
 
 namespace eikonal::lightsim {
 
 /// The dense level array, R32UI, one texel per 2×2×2 voxels, packed by shaders/lib/octree.glsl.
-gpu::Texture makeOctree(gpu::Device& device, const volume::DenseGrid& index, const Params& params);
+gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& params);
 
 } // namespace eikonal::lightsim

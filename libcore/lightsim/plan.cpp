@@ -96,17 +96,17 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
         needs.push_back({"a plane of light (" + std::to_string(plan.size.x) + " x " +
                              std::to_string(plan.size.y) + " x " + std::to_string(plan.size.z) +
                              " voxels)",
-                         voxels * 8, true, 0});
+                         voxels * 4, true, 0});
     const int floats = plan.fluenceChannels() + (plan.wants(Output::direction) ? 3 : 0) + 1;
     needs.push_back({"the summed light", voxels * 4 * floats, false, 0});
-    if (plan.bends) {
-        needs.push_back(medium::fieldNeed(plan.size));
-        needs.push_back({"the octree", voxels / 8 * (4 + 8 * 2), false, (edge + 1) / 2});
-    }
+    if (plan.bends) needs.push_back(medium::fieldNeed(plan.size));
+    if (plan.bends || plan.attenuates)
+        needs.push_back(
+            {"the octree", voxels / 8 * (4 + 3 * 16) + voxels * 8, false, (edge + 1) / 2});
     if (plan.attenuates)
-        needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge});
+        needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge + 2});
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
-    needs.push_back({"the photons", pixels * (2 * 48 + 16), false, 0});
+    needs.push_back({"the photons", pixels * (80 + 2 * 4 + 16), true, 0});
     return needs;
 }
 

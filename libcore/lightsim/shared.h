@@ -17,6 +17,6 @@ static_assert(sizeof(OctreeParams) == 80);
 static_assert(sizeof(BirthParams) == 208);
 static_assert(sizeof(PhotonParams) == 80);
 static_assert(sizeof(ResolveParams) == 64);
-static_assert(sizeof(Photon) == 48);
+static_assert(sizeof(Photon) == 80);
 
 } // namespace eikonal::lightsim

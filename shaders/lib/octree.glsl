@@ -14,17 +14,13 @@ float leafLimit(uint leaf) {
     return float(leaf >> 5u) * 0.0625;
 }
 
-// Distance [voxel] from p along unit direction d to the face of p's leaf of that level. p is in
-// cell coordinates: voxel i is the cell from i to i + 1.
-float distanceToLeafFace(vec3 p, vec3 d, uint level) {
+// Distance [voxel] from x along a direction to the face of x's leaf of that level. Of the direction
+// the signs and the inverses of the components' sizes are given. Voxel i reaches from i − ½ to i + ½.
+// On a face already, the leaf ahead is meant.
+float distanceToLeafFace(vec3 x, vec3 signs, vec3 inverses, uint level) {
     float edge = float(1u << level);
-    vec3 low = floor(p / edge) * edge;
-    float distance = 1.0e30;
-    for (int i = 0; i < 3; ++i) {
-        float face = d[i] > 0.0 ? low[i] + edge : low[i];
-        // On the face already, going out: the leaf behind it is meant.
-        if (d[i] < 0.0 && face == p[i]) face = low[i] - edge;
-        if (abs(d[i]) > 1.0e-12) distance = min(distance, (face - p[i]) / d[i]);
-    }
-    return distance;
+    vec3 p = (x + 0.5 + 1.0e-4 * signs) * (1.0 / edge);
+    vec3 middle = (floor(p) + 0.5) * edge - 0.5;
+    vec3 reach = (0.5 * edge - (x - middle) * signs) * inverses;
+    return min(reach.x, min(reach.y, reach.z));
 }

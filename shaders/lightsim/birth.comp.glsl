@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/lightsim_params.h"
 #include "lib/box.glsl"
-#include "lightsim/ledger.glsl"
+#include "lib/random.glsl"
+#include "lightsim/fates.glsl"
 
 #ifndef BEND
 #error BEND must be 0 or 1
@@ -12,7 +13,9 @@ const bool kBend = BEND == 1;
 layout(local_size_x = 64) in;
 layout(std140, binding = 0) uniform Params { BirthParams params; };
 layout(std140, binding = 1) uniform Tracing { PhotonParams tracing; };
-layout(std430, binding = 1) writeonly buffer Photons { Photon photons[]; };
+layout(std430, binding = 0) buffer Count { uint nextCount; };
+layout(std430, binding = 1) writeonly buffer Photons { Photon photons[]; }; // one per pixel
+layout(std430, binding = 2) writeonly buffer List { uint list[]; };         // pixels with a photon
 layout(binding = 0) uniform sampler2D birthMap;
 #if BEND
 layout(binding = 1) uniform sampler3D field;
@@ -29,18 +32,22 @@ float indexAt(vec3 x) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.map.xy))) return;
+    uint id = uint(pixel.y * params.map.x + pixel.x);
     vec4 met = texelFetch(birthMap, pixel, 0);
     bool startsAtLight = params.origin.w == 1.0;
-    if (met.w == 0.0 && !startsAtLight) return;
+    if (met.w == 0.0 && !startsAtLight) {
+        photons[id].count = uvec4(kNone, 0u, 0u, 0u);
+        return;
+    }
 
     vec2 at = params.window.xy + params.window.zw * (vec2(pixel) + 0.5) / vec2(params.map.xy);
     vec3 direction = params.forward.xyz;
-    float weight = params.weight.x;
-    if (params.weight.y == 1.0) {
+    float weight = 1.0;
+    if (params.weight.x == 1.0) {
         direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
         // The solid angle of a pixel falls off as cos³ of the angle from the view's axis.
         float q = 1.0 / (1.0 + dot(at, at));
-        weight *= q * sqrt(q);
+        weight = q * sqrt(q);
     }
     vec3 x = startsAtLight ? params.origin.xyz : met.xyz;
     if (any(lessThan(x, params.low.xyz)) || any(greaterThan(x, params.high.xyz))) {
@@ -52,7 +59,9 @@ void main() {
     Photon photon;
     photon.place = vec4(x, weight);
     photon.wave = vec4(indexAt(x) * direction, weight);
-    photon.state = vec4(weight, 0.0, 0.0, 0.0);
-    photons[atomicAdd(nextCount, 1u)] = photon;
-    tally(kEmitted, weight);
+    photon.absorbed = vec4(0.0, 0.0, 0.0, weight);
+    photon.scattered = vec4(0.0, 0.0, 0.0, uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
+    photon.count = uvec4(kAlive, 0u, 0u, 0u);
+    photons[id] = photon;
+    list[atomicAdd(nextCount, 1u)] = id;
 }

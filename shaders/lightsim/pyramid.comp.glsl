@@ -1,4 +1,4 @@
-// One level of the min–max pyramid of the refractive index (Sun et al. 2008, §4.2).
+// One level of the min–max pyramid of index and extinction (Sun et al. 2008, §4.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Level k has nodes of 2^k voxels. SOURCE 0: level 1 from the voxels. SOURCE 1: level 1 again, each
@@ -6,25 +6,31 @@
 // voxels beyond its faces (trilinear look-ups of central differences). SOURCE 2: level k from k − 1.
 #include "shared/lightsim_params.h"
 
-#ifndef SOURCE
-#error SOURCE must be 0, 1 or 2
+#if !defined(SOURCE) || !defined(INDEX) || !defined(EXTINCTION)
+#error SOURCE must be 0, 1 or 2, INDEX and EXTINCTION 0 or 1
 #endif
 const int kSource = SOURCE;
+const bool kIndex = INDEX == 1;           // the index varies
+const bool kExtinction = EXTINCTION == 1; // the extinction varies
 
 layout(local_size_x = 64) in;
 layout(std140, binding = 0) uniform Params { OctreeParams params; };
 layout(std430, binding = 0) readonly buffer Index { float index[]; };
-layout(std430, binding = 1) buffer Pyramid { vec2 range[]; };
+layout(std430, binding = 1) buffer Pyramid { vec4 range[]; }; // n: least, most; σ_t: least, most
+layout(std430, binding = 3) readonly buffer Extinction { float extinction[]; };
 
-vec2 joined(vec2 a, vec2 b) {
-    return vec2(min(a.x, b.x), max(a.y, b.y));
+vec4 joined(vec4 a, vec4 b) {
+    return vec4(min(a.x, b.x), max(a.y, b.y), min(a.z, b.z), max(a.w, b.w));
 }
 
-vec2 sourceAt(ivec3 p) {
+vec4 sourceAt(ivec3 p) {
     if (kSource == 0) {
         // Beyond the volume the nearest voxel answers: it adds nothing to the range.
         ivec3 v = min(p, params.size.xyz - 1);
-        return vec2(index[(v.z * params.size.y + v.y) * params.size.x + v.x]);
+        int at = (v.z * params.size.y + v.y) * params.size.x + v.x;
+        float n = kIndex ? index[at] : 0.0;
+        float sigma = kExtinction ? extinction[at] : 0.0;
+        return vec4(n, n, sigma, sigma);
     }
     ivec3 s = clamp(p, ivec3(0), params.source.xyz - 1);
     return range[params.source.w + (s.z * params.source.y + s.y) * params.source.x + s.x];
@@ -35,7 +41,7 @@ void main() {
     if (any(greaterThanEqual(node, params.nodes.xyz))) return;
     ivec3 first = kSource == 1 ? node - 1 : 2 * node;
     int edge = kSource == 1 ? 3 : 2;
-    vec2 result = sourceAt(kSource == 1 ? node : first);
+    vec4 result = sourceAt(kSource == 1 ? node : first);
     for (int z = 0; z < edge; ++z)
         for (int y = 0; y < edge; ++y)
             for (int x = 0; x < edge; ++x) result = joined(result, sourceAt(first + ivec3(x, y, z)));

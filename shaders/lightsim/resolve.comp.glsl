@@ -1,35 +1,44 @@
-// Fixed-point sums to floats: one plane of one light, added to what other lights left there.
+// Fixed-point sums to floats: one batch of one light, added to what was there before.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/lightsim_params.h"
 
+#if !defined(CHANNELS) || !defined(FLUENCE) || !defined(DIRECTION)
+#error CHANNELS and FLUENCE must be 1 or 3, DIRECTION 0 or 1
+#endif
+
 layout(local_size_x = 64) in;
 layout(std140, binding = 0) uniform Params { ResolveParams params; };
-layout(std430, binding = 0) buffer Plane { uint words[]; };
-layout(std430, binding = 1) buffer First { float first[]; };
-layout(std430, binding = 2) buffer Second { float second[]; };
-layout(std430, binding = 3) buffer Third { float third[]; };
+layout(std430, binding = 0) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
+layout(std430, binding = 6) buffer Result { float values[]; } results[FLUENCE + 3 * DIRECTION];
 
 void main() {
     // Two dimensions, since one alone may be too short for the voxels of a large volume.
     uint voxel = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
-    uint voxels = uint(params.size.w);
-    if (voxel >= voxels) return;
-    uint low = words[voxel];
-    uint high = words[voxels + voxel];
-    if (low == 0u && high == 0u) return;
-    words[voxel] = 0u;
-    words[voxels + voxel] = 0u;
-    bool negative = high >= 0x80000000u;
-    if (negative) {
-        low = ~low + 1u;
-        high = ~high + (low == 0u ? 1u : 0u);
-    }
-    float sum = float(high) * 4294967296.0 + float(low);
-    sum = negative ? -sum : sum;
-    // planes.y: 1 adds to the first target alone, 3 spreads one traced channel over three.
-    first[voxel] += sum * params.fluence.x;
-    if (params.planes.y == 3) {
-        second[voxel] += sum * params.fluence.y;
-        third[voxel] += sum * params.fluence.z;
-    }
+    if (voxel >= uint(params.size.w)) return;
+    vec3 sum = vec3(float(planes[0].sums[voxel]));
+    planes[0].sums[voxel] = 0u;
+#if CHANNELS == 3
+    sum.y = float(planes[1].sums[voxel]);
+    sum.z = float(planes[2].sums[voxel]);
+    planes[1].sums[voxel] = 0u;
+    planes[2].sums[voxel] = 0u;
+#endif
+    results[0].values[voxel] += sum.x * params.fluence.x;
+#if FLUENCE == 3
+    results[1].values[voxel] += sum.y * params.fluence.y;
+    results[2].values[voxel] += sum.z * params.fluence.z;
+#endif
+#if DIRECTION
+    // The planes hold (1 + d)/2 of the power: see march.comp.glsl.
+    float power = dot(sum, params.colour.xyz);
+    results[FLUENCE + 0].values[voxel] +=
+        (2.0 * float(planes[CHANNELS + 0].sums[voxel]) - power) * params.colour.w;
+    results[FLUENCE + 1].values[voxel] +=
+        (2.0 * float(planes[CHANNELS + 1].sums[voxel]) - power) * params.colour.w;
+    results[FLUENCE + 2].values[voxel] +=
+        (2.0 * float(planes[CHANNELS + 2].sums[voxel]) - power) * params.colour.w;
+    planes[CHANNELS + 0].sums[voxel] = 0u;
+    planes[CHANNELS + 1].sums[voxel] = 0u;
+    planes[CHANNELS + 2].sums[voxel] = 0u;
+#endif
 }

@@ -1,4 +1,4 @@
-// What the photon kernels are told. Read by C++ and GLSL; vec4-sized members only.
+// What the photon kernels are told, and photons. Read by C++ and GLSL; vec4-sized members only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 struct OctreeParams {
@@ -18,27 +18,31 @@ struct BirthParams {
     vec4 origin;        // xyz: the light in voxels; w: 1 if photons start there, 0 at the map's depth
     vec4 low;           // the domain's low corner [voxel]
     vec4 high;          // the domain's high corner [voxel]
-    vec4 weight;        // x: a photon's weight straight ahead; y: 1 for a point light
-    ivec4 map;          // x, y: pixels of the map
+    vec4 weight;        // x: 1 for a point light
+    ivec4 map;          // x, y: pixels of the map; z: the seed
 };
 
 struct PhotonParams {
     ivec4 size;  // voxels along x, y, z; w: voxels in all
-    uvec4 list;  // x: photons in the list, y: steps of this dispatch, z: step limit of a photon
-    vec4 limits; // x: shortest step [voxel], y: a photon dimmer than this is dropped
+    uvec4 list;  // x: photons in the list, y: steps of this launch, z: step limit of a photon,
+                 // w: photons in the map
+    vec4 limits; // x: shortest step [voxel], y: a photon dimmer than this is dropped,
+                 // z: fixed-point unit of one voxel's length at weight 1
     vec4 colour; // xyz: the light's RGB over their sum, the weights of its direction
     vec4 index;  // x: the index, where it does not vary
 };
 
 struct ResolveParams {
     ivec4 size;     // voxels along x, y, z; w: voxels in all
-    ivec4 planes;   // x: planes traced, y: planes of fluence, z: axis to smooth, w: this plane
+    ivec4 planes;   // x: channels traced, y: channels of fluence, z: axis to smooth
     vec4 fluence;   // per channel: fluence of one unit of fixed point [W/m²]
-    vec4 direction; // x: the same for the direction planes
+    vec4 colour;    // as PhotonParams::colour; w: direction, per unit of fixed point [W/m²]
 };
 
 struct Photon {
-    vec4 place; // x [voxel], and the red (or only) weight
-    vec4 wave;  // w = n dx/ds, and the green weight
-    vec4 state; // blue weight, steps so far; zw unused
+    vec4 place;     // x [voxel], and the red (or only) weight
+    vec4 wave;      // w = n dx/ds, and the green weight
+    vec4 absorbed;  // weight absorbed so far, RGB; w: the blue weight
+    vec4 scattered; // weight scattered so far, RGB; w: the rounding phase in [0, 1)
+    uvec4 count;    // x: what became of it (kNone...), y: steps, z: deposits
 };

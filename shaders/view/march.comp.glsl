@@ -84,19 +84,19 @@ Gathered gather(Gathered g, vec3 at, vec3 direction, float n, float ds) {
         return g;
     }
     vec3 depth = sigma * ds;
+    float scale = ds / (n * n);
     if (kColour) {
-        vec3 e = vec3(transmittanceOf(depth.x), transmittanceOf(depth.y), transmittanceOf(depth.z));
-        vec3 mean = vec3(meanTransmittance(depth.x, e.x), meanTransmittance(depth.y, e.y),
-                         meanTransmittance(depth.z, e.z));
-        if (kShines) g.light += g.through * mean * shine * (ds / (n * n));
-        g.through *= e;
+        Attenuation red = attenuationOf(depth.x);
+        Attenuation green = attenuationOf(depth.y);
+        Attenuation blue = attenuationOf(depth.z);
+        if (kShines) g.light += g.through * vec3(red.mean, green.mean, blue.mean) * shine * scale;
+        g.through *= vec3(red.through, green.through, blue.through);
     } else {
-        float e = transmittanceOf(depth.x);
-        float added = kShines ? g.through.x * meanTransmittance(depth.x, e) * shine.x * ds / (n * n)
-                              : 0.0;
+        Attenuation grey = attenuationOf(depth.x);
+        float added = kShines ? g.through.x * grey.mean * shine.x * scale : 0.0;
         if (kOpaque) g.light += vec3(added); // surfaces may be coloured in a grey medium
         else g.light.x += added;
-        g.through.x *= e;
+        g.through.x *= grey.through;
     }
     return g;
 }
@@ -239,7 +239,7 @@ void main() {
     }
     vec3 direction = ray.w / length(ray.w);
     vec3 light = gathered.light;
-    if (!stopped && !trapped) {
+    if (!stopped) { // a trapped ray sees what it would see going straight on
         vec3 sky = backgroundLight(direction);
         light += gathered.through * sky / (params.march.y * params.march.y);
     }
@@ -254,7 +254,7 @@ void main() {
         PixelPath path;
         path.place = vec4(ray.x, opticalLength);
         path.direction = vec4(direction, pathLength);
-        path.through = vec4(stopped || trapped ? vec3(0.0) : gathered.through, float(steps));
+        path.through = vec4(stopped ? vec3(0.0) : gathered.through, float(steps));
         path.error = vec4(hits ? abs(length(ray.w) - indexAtExit) : 0.0, hits ? 0.0 : 1.0, 0.0, 0.0);
         paths[at] = path;
     }
