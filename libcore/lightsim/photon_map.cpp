@@ -15,17 +15,18 @@ using glm::dvec3;
 
 namespace {
 
-/// An upright orthonormal view along `forward`: right × up points back at the light, so triangles
-/// that face it are drawn counterclockwise.
-void aim(Window& window, const dvec3& forward) {
-    // The axis least along the view gives the best conditioned frame.
-    const dvec3 a = glm::abs(forward);
-    const dvec3 reference = a.y <= a.x && a.y <= a.z ? dvec3(0, 1, 0)
-                            : a.x <= a.z             ? dvec3(1, 0, 0)
-                                                     : dvec3(0, 0, 1);
+/// An orthonormal view along `forward`, upright by `reference`: right × up points back at the
+/// light, so triangles that face it are drawn counterclockwise.
+void aim(Window& window, const dvec3& forward, const dvec3& reference) {
     window.forward = forward;
     window.right = glm::normalize(glm::cross(forward, reference));
     window.up = glm::cross(window.right, forward);
+}
+
+/// The axis least along a view: it gives the best conditioned frame.
+dvec3 referenceFor(const dvec3& forward) {
+    const dvec3 a = glm::abs(forward);
+    return a.y <= a.x && a.y <= a.z ? dvec3(0, 1, 0) : a.x <= a.z ? dvec3(1, 0, 0) : dvec3(0, 0, 1);
 }
 
 std::array<dvec3, 8> cornersOf(const VoxelBox& box) {
@@ -94,7 +95,8 @@ void layPixels(Window& window, const Bounds& bounds, double pixel, const dvec2& 
 std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target, std::int64_t photons,
                                    const dvec2& shift) {
     Window window;
-    aim(window, glm::normalize(light.vector));
+    const dvec3 forward = glm::normalize(light.vector);
+    aim(window, forward, referenceFor(forward));
     Bounds bounds;
     for (const dvec3& corner : cornersOf(target)) bounds.include(inView(window, corner));
     const dvec3 extent = bounds.high - bounds.low;
@@ -116,7 +118,8 @@ std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, cons
     const dvec3 towards = centre - light.vector;
     const double distance = glm::length(towards);
     // From outside, the cube's front face looks at the target, which then mostly fits that face.
-    aim(front, distance > 1e-9 * size ? towards / distance : dvec3(0, 0, 1));
+    const dvec3 forward = distance > 1e-9 * size ? towards / distance : dvec3(0, 0, 1);
+    aim(front, forward, referenceFor(forward));
 
     const double least = 1e-5 * (distance + size);
     std::vector<Window> windows;
@@ -126,7 +129,9 @@ std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, cons
                            -front.right,  front.up,       -front.up};
     for (const dvec3& axis : axes) {
         Window window = front;
-        aim(window, axis);
+        // Upright by an axis of the cube, or its faces would not meet at its edges.
+        const bool alongUp = axis == front.up || axis == -front.up;
+        aim(window, axis, alongUp ? front.forward : front.up);
         const Bounds seen = boundsInFace(window, target, least);
         if (seen.empty()) continue;
         window.near = std::max(seen.low.z * 0.999, least);
