@@ -1,0 +1,65 @@
+# The front door: make, make demo, make test, make bench, make docs, make format, make bundle.
+SHELL := /bin/bash
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+
+BUILD  ?= build
+OUT    ?= out
+PREFIX ?= /usr/local
+JOBS   ?= $(shell nproc)
+TOOLS  := mesh2vol volsmooth lightsim render
+
+.PHONY: all packages configure demo animation test bench docs golden format install bundle clean
+
+all: configure
+	cmake --build $(BUILD) -j $(JOBS)
+
+configure:
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release >$(BUILD).log 2>&1 \
+	  || { cat $(BUILD).log; exit 1; }; mkdir -p $(BUILD); mv $(BUILD).log $(BUILD)/configure.log
+
+# Installs what packages.txt lists and this machine lacks; names it where there is no apt.
+packages:
+	@pipelines/install_packages.sh packages.txt
+
+# A real scanned mesh, lit and seen: out/bunny.exr and out/bunny.png.
+demo: packages
+	$(MAKE) all
+	$(MAKE) -f pipelines/bunny.mk BIN=$(BUILD)/bin OUT=$(OUT)
+	@echo "demo: look at $(OUT)/bunny.png ($(OUT)/bunny.exr has the radiance)"
+
+# Twenty-four frames of a light that moves round the bunny.
+animation: packages
+	$(MAKE) all
+	$(MAKE) -f pipelines/turning_light.mk BIN=$(BUILD)/bin OUT=$(OUT)
+
+test: packages
+	$(MAKE) all
+	cd $(BUILD) && ctest --output-on-failure --timeout 900
+
+# Ratios within one run, in a table and in out/bench.json.
+bench: packages
+	$(MAKE) all
+	@mkdir -p $(OUT)
+	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench
+
+# docs/tools/*.md from --help.
+docs: all
+	@pipelines/tool_docs.sh $(BUILD)/bin docs/tools $(TOOLS)
+
+# The test suite's golden pictures anew; look at them before committing.
+golden: all
+	tests/pipeline/update_golden.sh $(BUILD)/bin
+
+format:
+	git ls-files '*.cpp' '*.h' | xargs clang-format -i
+
+install: all
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+# The tools with every library they need but the driver's own, to run on another machine.
+bundle: all
+	pipelines/bundle.sh $(BUILD) $(OUT)/eikonal-bundle
+
+clean:
+	rm -rf $(BUILD)
