@@ -32,6 +32,8 @@ using openvdb::FloatGrid;
 using openvdb::GridBase;
 using openvdb::Vec3SGrid;
 
+constexpr double kLongestEdge = 1 << 20; // of a domain [voxel]
+
 void initializeOnce() {
     static const bool done = (openvdb::initialize(), true);
     (void)done;
@@ -307,6 +309,12 @@ struct Volume::Impl {
             domain.include(entry.active);
         }
         if (domain.empty()) throw DataError(path + ": has no active voxel");
+        // Of statistics gone wrong. The bound keeps the number of voxels within 64 bits.
+        const glm::dvec3 size = glm::dvec3(domain.max) - glm::dvec3(domain.min) + 1.0;
+        if (std::max({size.x, size.y, size.z}) > kLongestEdge)
+            throw DataError(path + ": its active voxels span " + toText(size.x) + " x " +
+                            toText(size.y) + " x " + toText(size.z) + " voxels, expected at most " +
+                            toText(kLongestEdge) + " along an axis");
     }
 
     void replace(const GridBase::Ptr& grid, const IndexBox& active) {
@@ -340,15 +348,17 @@ Volume Volume::open(const std::string& path, const GridNames& names) {
             impl->readStream(std::cin);
         else
             impl->openFile();
+        impl->settle();
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
         throw DataError(impl->path + ": is no valid VDB file (asks for more memory than there is)");
+    } catch (const std::ios_base::failure&) {
+        throw DataError(impl->path + ": is cut short, or no VDB file");
     } catch (const std::exception& error) {
         throw DataError(impl->path + ": is no valid VDB file (" +
                         split(error.what(), '\n').front() + ")");
     }
-    impl->settle();
     return Volume(std::move(impl));
 }
 
@@ -417,7 +427,13 @@ DenseGrid Volume::dense(const std::string& grid, const IndexBox& box) const {
         throw DataError(mImpl->where(grid) + " holds " + entry.grid->valueType() +
                         ", expected float or vec3s");
     out.components = vector ? 3 : 1;
-    out.values.resize(static_cast<size_t>(box.voxels()) * out.components);
+    try {
+        out.values.resize(static_cast<size_t>(box.voxels()) * out.components);
+    } catch (const std::exception&) { // bad_alloc, or length_error for sizes beyond all memory
+        throw MemoryError(mImpl->where(grid) + " needs " +
+                          bytesText(4.0 * static_cast<double>(box.voxels()) * out.components) +
+                          " of memory");
+    }
     if (vector)
         copyOut(*openvdb::gridConstPtrCast<Vec3SGrid>(entry.grid), box, out);
     else

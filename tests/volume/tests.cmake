@@ -1,3 +1,6 @@
+eikonal_test(test_volume SOURCES volume/volume_test.cpp volume/bad_volume_test.cpp
+             LIBRARIES Imath::Imath)
+
 # Small analytic scenes for the tests of every stage.
 add_executable(make_volume ${CMAKE_CURRENT_SOURCE_DIR}/volume/make_volume.cpp)
 target_link_libraries(make_volume PRIVATE libcore)

@@ -1,0 +1,242 @@
+// Files that are no valid volume: each is refused with the place and the reason.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vdb_files.h"
+
+#include <limits>
+#include <sys/resource.h>
+#include <unistd.h>
+
+using namespace eikonal;
+using namespace eikonal::volume;
+
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// While it lives, this process may map so many bytes more than it has.
+class MemoryLimit {
+public:
+    explicit MemoryLimit(rlim_t more) {
+        rlim_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        ::getrlimit(RLIMIT_AS, &mBefore);
+        rlimit lower = mBefore;
+        lower.rlim_cur = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + more;
+        ::setrlimit(RLIMIT_AS, &lower);
+    }
+    ~MemoryLimit() { ::setrlimit(RLIMIT_AS, &mBefore); }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+private:
+    rlimit mBefore{};
+};
+
+} // namespace
+
+TEST_F(VolumeTest, AMissingFileIsMissing) {
+    expectError(ExitStatus::missing, {"absent.vdb"}, [&] { Volume::open(at("absent.vdb")); });
+    expectError(ExitStatus::data, {"directory"}, [&] { Volume::open(folder.string()); });
+}
+
+TEST_F(VolumeTest, AFileThatIsNoVdbIsRefused) {
+    for (const std::string& bytes :
+         {std::string(), std::string("x"), std::string(1000, 'x'), std::string(1000, '\0')}) {
+        putBytes("a.vdb", bytes);
+        expectError(ExitStatus::data, {"a.vdb", "no valid VDB"},
+                    [&] { Volume::open(at("a.vdb")); });
+    }
+}
+
+TEST_F(VolumeTest, AFileCutShortIsRefusedWhereverItIsCut) {
+    // With values that do not compress, so that the trees take more than the headers.
+    auto noisy = floats("ior");
+    float value = 1;
+    for (auto voxel = noisy->beginValueOn(); voxel; ++voxel) voxel.setValue(value *= 1.001f);
+    noisy->tree().voxelizeActiveTiles();
+    for (int i = 0; i < 512; ++i)
+        noisy->tree().setValueOn({i % 8, i / 8 % 8, i / 64}, 1 + static_cast<float>(i) / 700);
+    vdb("whole.vdb", {noisy, vectors("absorption", {1, 2, 3})});
+    const std::string whole = bytesOf("whole.vdb");
+    ASSERT_NO_THROW(Volume::open(at("whole.vdb")));
+    for (size_t cut = 1; cut < whole.size(); cut = cut * 9 / 8 + 1) {
+        putBytes("cut.vdb", whole.substr(0, whole.size() - cut));
+        expectError(ExitStatus::data, {"cut.vdb"}, [&] { Volume::open(at("cut.vdb")); });
+    }
+}
+
+TEST_F(VolumeTest, AChangedByteNeverCrashesTheReader) {
+    // Whatever it makes of the file, it ends in a volume or in a DataError. A changed length makes
+    // OpenVDB clear gigabytes before it finds the file shorter than that; the limit says no at
+    // once.
+    const MemoryLimit limit(256 << 20);
+    vdb("whole.vdb", {floats("ior"), vectors("absorption", {1, 2, 3})});
+    const std::string whole = bytesOf("whole.vdb");
+    for (size_t place = 0; place < whole.size(); place += 1 + place / 300)
+        for (const char flip : {'\x01', '\x04'}) {
+            std::string changed = whole;
+            changed[place] = static_cast<char>(changed[place] ^ flip);
+            putBytes("changed.vdb", changed);
+            try {
+                const Volume volume = Volume::open(at("changed.vdb"));
+                const bool small = volume.domain().voxels() < 1 << 20; // or it takes its time
+                if (small && volume.has("ior")) volume.dense("ior", volume.domain());
+            } catch (const DataError&) {
+            } catch (const std::exception& error) {
+                ADD_FAILURE() << "byte " << place << ": " << error.what();
+            }
+        }
+}
+
+TEST_F(VolumeTest, AVolumeWithoutAnActiveVoxelIsRefused) {
+    auto empty = openvdb::FloatGrid::create(1);
+    empty->setName("ior");
+    for (const bool statistics : {true, false})
+        expectError(ExitStatus::data, {"a.vdb", "no active voxel"},
+                    [&] { Volume::open(vdb("a.vdb", {empty}, {}, statistics)); });
+    expectError(ExitStatus::data, {"a.vdb", "no grids"}, [&] { Volume::open(vdb("a.vdb", {})); });
+}
+
+TEST_F(VolumeTest, AVolumeBeyondAllMemoryIsRefused) {
+    auto far = openvdb::FloatGrid::create(1);
+    far->setName("ior");
+    far->tree().setValueOn({-1000000000, 0, 0}, 2);
+    far->tree().setValueOn({1500000000, 0, 0}, 2); // apart by more than an int holds
+    expectError(ExitStatus::data, {"a.vdb", "2500000001 x 1 x 1"},
+                [&] { Volume::open(vdb("a.vdb", {far})); });
+    auto large = openvdb::FloatGrid::create(1);
+    large->setName("ior");
+    large->tree().setValueOn({0, 0, 0}, 2);
+    large->tree().setValueOn({1000000, 1000000, 1000000}, 2);
+    vdb("b.vdb", {large});
+    const Volume volume = Volume::open(at("b.vdb"));
+    expectError(ExitStatus::memory, {"b.vdb", "'ior'", "bytes"},
+                [&] { volume.dense("ior", volume.domain()); });
+}
+
+TEST_F(VolumeTest, AGridOnAnotherTransformIsRefused) {
+    const auto refused = [this](const openvdb::math::Transform::Ptr& transform,
+                                const std::vector<std::string>& words) {
+        auto other = floats("other");
+        other->setTransform(transform);
+        expectError(ExitStatus::data, words, [&] {
+            Volume::open(vdb("a.vdb", {floats("ior"), other}));
+        });
+    };
+    using openvdb::math::Transform;
+    auto moved = Transform::createLinearTransform(1);
+    moved->postTranslate({0, 0.01, 0});
+    refused(moved, {"a.vdb", "'other'", "'ior'"});
+    refused(Transform::createLinearTransform(1.001), {"transform"});
+    auto hair = Transform::createLinearTransform(1);
+    hair->postTranslate({0, 1e-9, 0}); // what a writer in float would leave
+    auto same = floats("other");
+    same->setTransform(hair);
+    EXPECT_NO_THROW(Volume::open(vdb("b.vdb", {floats("ior"), same})));
+}
+
+TEST_F(VolumeTest, VoxelsThatAreNoCubesAreRefused) {
+    using openvdb::math::Mat4d;
+    using openvdb::math::Transform;
+    const auto refused = [this](const Transform::Ptr& transform, const std::string& word) {
+        auto grid = floats("ior");
+        grid->setTransform(transform);
+        expectError(ExitStatus::data, {"a.vdb", "'ior'", word},
+                    [&] { Volume::open(vdb("a.vdb", {grid})); });
+    };
+    auto flat = Transform::createLinearTransform(1);
+    flat->preScale({1, 1, 2});
+    refused(flat, "expected cubes");
+    refused(Transform::createLinearTransform(
+                Mat4d(1., 0., 0., 0., 0.5, 1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1.)),
+            "expected cubes");
+    refused(Transform::createFrustumTransform(openvdb::BBoxd({0, 0, 0}, {8, 8, 8}), 0.5, 1, 0.1),
+            "not linear");
+}
+
+TEST_F(VolumeTest, AGridOfTheWrongTypeIsRefused) {
+    vdb("a.vdb",
+        {vectors("ior", {1, 1, 1}), floats("absorption"),
+         block<openvdb::DoubleGrid>("opacity", 1, 0), block<openvdb::Int32Grid>("counts", 1, 0)});
+    const Volume volume = Volume::open(at("a.vdb"));
+    expectError(ExitStatus::data, {"a.vdb: grid 'ior'", "vec3s", "expected float"},
+                [&] { volume.has("ior"); });
+    expectError(ExitStatus::data, {"'absorption'", "float", "expected vec3s"},
+                [&] { volume.dense("absorption", volume.domain()); });
+    expectError(ExitStatus::data, {"'opacity'", "double", "expected float"},
+                [&] { volume.background("opacity", glm::vec3(0)); });
+    expectError(ExitStatus::data, {"'counts'", "int32", "expected float or vec3s"},
+                [&] { volume.dense("counts", volume.domain()); });
+}
+
+TEST_F(VolumeTest, AValueOutOfItsRangeIsNamedWithItsVoxel) {
+    struct Case {
+        const char* grid;
+        float value;
+        const char* says;
+    };
+    const Case scalars[] = {{"ior", 0, "is 0, expected > 0"},
+                            {"ior", -1.5f, "is -1.5, expected > 0"},
+                            {"ior", kNan, "is NaN"},
+                            {"ior", kInfinity, "is infinite"},
+                            {"dispersion", kNan, "is NaN"},
+                            {"anisotropy", 1, "is 1, expected between -1 and 1"},
+                            {"anisotropy", -1, "is -1, expected between -1 and 1"},
+                            {"opacity", 1.5f, "is 1.5, expected 0 to 1"},
+                            {"opacity", -0.5f, "expected 0 to 1"},
+                            {"sdf", -kInfinity, "is infinite"},
+                            {"sdf.wine", kNan, "is NaN"},
+                            {"anything", kNan, "is NaN"}};
+    for (const Case& c : scalars) {
+        auto grid = floats(c.grid, 0.5f, 0.5f);
+        grid->tree().setValueOn({1, 2, 3}, c.value);
+        vdb("a.vdb", {grid});
+        const Volume volume = Volume::open(at("a.vdb"));
+        expectError(ExitStatus::data,
+                    {"a.vdb", "'" + std::string(c.grid) + "'", "voxel (1, 2, 3)", c.says},
+                    [&] { volume.dense(c.grid, volume.domain()); });
+    }
+    const Case coefficients[] = {{"absorption", -1, "is -1, expected >= 0"},
+                                 {"scattering", kNan, "is NaN"},
+                                 {"emission", kInfinity, "is infinite"},
+                                 {"albedo", 1.01f, "expected 0 to 1"},
+                                 {"reflectance", -1, ">= 0"},
+                                 {"fluence", -1, ">= 0"},
+                                 {"light_direction", kNan, "is NaN"}};
+    for (const Case& c : coefficients)
+        for (int component = 0; component < 3; ++component) {
+            auto grid = vectors(c.grid, {0.5f, 0.5f, 0.5f});
+            openvdb::Vec3s value(0.5f);
+            value[component] = c.value;
+            grid->tree().setValueOn({1, 2, 3}, value);
+            vdb("a.vdb", {grid});
+            const Volume volume = Volume::open(at("a.vdb"));
+            expectError(ExitStatus::data, {c.grid, "voxel (1, 2, 3)", c.says},
+                        [&] { volume.dense(c.grid, volume.domain()); });
+        }
+}
+
+TEST_F(VolumeTest, TheEndsOfARangeAreWithinIt) {
+    for (const float value : {0.0f, 1.0f}) {
+        vdb("a.vdb", {floats("opacity", value, 0), vectors("absorption", openvdb::Vec3s(value))});
+        const Volume volume = Volume::open(at("a.vdb"));
+        EXPECT_NO_THROW(volume.dense("opacity", volume.domain()));
+        EXPECT_NO_THROW(volume.dense("absorption", volume.domain()));
+    }
+}
+
+TEST_F(VolumeTest, BackgroundsAreHeldToTheSameRanges) {
+    const auto refused = [this](const openvdb::GridBase::Ptr& grid, const std::string& says) {
+        vdb("a.vdb", {grid});
+        const Volume volume = Volume::open(at("a.vdb"));
+        expectError(ExitStatus::data, {"a.vdb", grid->getName(), "background", says},
+                    [&] { volume.background(grid->getName(), glm::vec3(0)); });
+    };
+    refused(floats("ior", 1.5f, 0), "is 0, expected > 0");
+    refused(floats("ior", 1.5f, kNan), "is NaN");
+    refused(floats("anisotropy", 0, -1), "expected between -1 and 1");
+    refused(block<openvdb::Vec3SGrid>("absorption", openvdb::Vec3s(0), {0, 0, -1}), ">= 0");
+    vdb("a.vdb", {floats("ior")});
+    EXPECT_EQ(Volume::open(at("a.vdb")).background("absorption", glm::vec3(7)), glm::vec3(7));
+}

@@ -1,0 +1,276 @@
+// What a volume keeps on its way through a file or a stream.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vdb_files.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <iostream>
+#include <limits>
+#include <sys/stat.h>
+#include <thread>
+
+using namespace eikonal;
+using namespace eikonal::volume;
+
+namespace {
+
+const IndexBox kBox{{-3, 2, 5}, {8, 10, 19}};
+
+Frame turnedFrame() {
+    Frame frame;
+    frame.voxelSize = 0.25;
+    frame.worldFromIndex = glm::scale(glm::rotate(glm::translate(glm::dmat4(1), {3, -4, 50}), 0.7,
+                                                  glm::normalize(glm::dvec3(1, 2, 3))),
+                                      glm::dvec3(0.25));
+    return frame;
+}
+
+Volume numberedVolume() {
+    Volume volume(turnedFrame());
+    volume.put("ior", kBox, numbered(kBox, 1), {.background = glm::vec3(1), .allActive = true});
+    volume.put("absorption", kBox, numbered(kBox, 3, 0), {.vectorType = "color"});
+    volume.setMetadata("scene", "a glass");
+    return volume;
+}
+
+void expectNumbered(const Volume& volume) {
+    EXPECT_EQ(volume.domain(), kBox);
+    // Exact: values are stored as they are.
+    EXPECT_EQ(volume.dense("ior", kBox).values, numbered(kBox, 1).values);
+    EXPECT_EQ(volume.dense("absorption", kBox).values, numbered(kBox, 3, 0).values);
+    EXPECT_EQ(volume.dense("absorption", kBox).components, 3);
+    EXPECT_EQ(volume.background("ior", glm::vec3(7)), glm::vec3(1));
+    EXPECT_EQ(volume.metadata("scene"), "a glass");
+    EXPECT_EQ(volume.metadata("eikonal:tool"), "tester");
+    EXPECT_EQ(volume.metadata("eikonal:version"), "1.2");
+    const Frame wanted = turnedFrame();
+    // The matrix is stored in double; the cube root for the size rounds a few times.
+    EXPECT_NEAR(volume.frame().voxelSize, wanted.voxelSize, 1e-15);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            EXPECT_NEAR(volume.frame().worldFromIndex[column][row],
+                        wanted.worldFromIndex[column][row], 1e-14);
+}
+
+} // namespace
+
+TEST_F(VolumeTest, ComesBackFromAFile) {
+    expectNumbered(Volume::open(write(numberedVolume(), "a.vdb")));
+}
+
+TEST_F(VolumeTest, ComesBackFromAStreamWithoutSeeking) {
+    ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+    std::string received;
+    std::thread reader([&] { received = bytesOf("pipe"); });
+    write(numberedVolume(), "pipe");
+    reader.join();
+    putBytes("streamed.vdb", received);
+    expectNumbered(Volume::open(at("streamed.vdb")));
+    std::ifstream in(at("streamed.vdb"), std::ios::binary);
+    std::streambuf* old = std::cin.rdbuf(in.rdbuf());
+    EXPECT_NO_THROW({
+        const Volume volume = Volume::open("-");
+        expectNumbered(volume);
+        EXPECT_EQ(volume.path(), "standard input");
+    });
+    std::cin.rdbuf(old);
+}
+
+TEST_F(VolumeTest, StandsInTheWorldWhereOpenVdbSaysToo) {
+    write(numberedVolume(), "a.vdb");
+    const auto grid = gridIn("a.vdb", "ior");
+    const glm::dvec4 voxel(1, 5, 7, 1);
+    const glm::dvec4 ours = turnedFrame().worldFromIndex * voxel;
+    const openvdb::Vec3d theirs = grid->transform().indexToWorld(openvdb::Vec3d(1, 5, 7));
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(ours[i], theirs[i], 1e-12); // double, values near 50
+    const glm::dvec4 back = turnedFrame().indexFromWorld() * ours;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(back[i], voxel[i], 1e-12); // as above, over 0.25
+}
+
+TEST_F(VolumeTest, TheDomainIsTheBoxOfAllActiveVoxels) {
+    auto a = openvdb::FloatGrid::create(1), b = openvdb::FloatGrid::create(0);
+    a->setName("a");
+    b->setName("b");
+    a->fill({{0, 0, 0}, {3, 4, 5}}, 2);
+    a->fill({{-90, 0, 0}, {-80, 4, 5}}, 2, false); // values that are not active count for nothing
+    b->fill({{-20, 2, 2}, {-20, 2, 40}}, 1);
+    const IndexBox wanted{{-20, 0, 0}, {3, 4, 40}};
+    EXPECT_EQ(Volume::open(vdb("with.vdb", {a, b})).domain(), wanted);
+    EXPECT_EQ(Volume::open(vdb("without.vdb", {a, b}, {}, false)).domain(), wanted);
+    // Values outside the active voxels are the tree's all the same.
+    const auto dense = Volume::open(at("with.vdb")).dense("a", {{-81, 0, 0}, {0, 0, 0}});
+    EXPECT_EQ(dense.values.front(), 2);
+    EXPECT_EQ(dense.values[40], 1);
+    EXPECT_EQ(dense.values.back(), 2);
+}
+
+TEST_F(VolumeTest, TheSameContentGivesTheSameBytes) {
+    write(numberedVolume(), "a.vdb");
+    write(numberedVolume(), "b.vdb");
+    EXPECT_TRUE(bytesOf("a.vdb") == bytesOf("b.vdb"));
+    write(numberedVolume(), "c.vdb", {"tester", "1.2", "another command"});
+    EXPECT_FALSE(bytesOf("a.vdb").substr(0, 64) == bytesOf("c.vdb").substr(0, 64))
+        << "the identifier does not depend on the history";
+    write(Volume::open(at("a.vdb")), "d.vdb");
+    write(Volume::open(at("a.vdb")), "e.vdb");
+    EXPECT_TRUE(bytesOf("d.vdb") == bytesOf("e.vdb"));
+}
+
+TEST_F(VolumeTest, TheHistoryGrowsByALineAStage) {
+    write(numberedVolume(), "a.vdb",
+          {"first", "1", commandLine({"/usr/bin/first", "/home/me/a b.obj", "--stats=/x/y.json"})});
+    write(Volume::open(at("a.vdb")), "b.vdb", {"second", "2", "second a.vdb"});
+    const Volume back = Volume::open(at("b.vdb"));
+    EXPECT_EQ(back.metadata("eikonal:command"), "first 'a b.obj' --stats=y.json\nsecond a.vdb");
+    EXPECT_EQ(back.metadata("eikonal:tool"), "second");
+    EXPECT_EQ(back.metadata("eikonal:version"), "2");
+    EXPECT_EQ(back.metadata("nothing"), "");
+}
+
+TEST_F(VolumeTest, CopiesThroughWhatItDoesNotKnow) {
+    auto counts = block<openvdb::Int32Grid>("counts", 42, -1);
+    counts->setCreator("someone");
+    counts->insertMeta("note", openvdb::StringMetadata("kept"));
+    counts->insertMeta("weight", openvdb::DoubleMetadata(0.125));
+    auto mask = block<openvdb::BoolGrid>("mask", true, false);
+    openvdb::MetaMap metadata;
+    metadata.insertMeta("frame", openvdb::Int32Metadata(24));
+    vdb("a.vdb", {floats("ior"), counts, mask}, metadata);
+    write(Volume::open(at("a.vdb")), "b.vdb");
+
+    const auto back = openvdb::gridPtrCast<openvdb::Int32Grid>(gridIn("b.vdb", "counts"));
+    EXPECT_EQ(back->tree().getValue({3, 3, 3}), 42);
+    EXPECT_EQ(back->background(), -1);
+    EXPECT_TRUE(back->tree().hasSameTopology(counts->tree()));
+    EXPECT_EQ(back->getCreator(), "someone");
+    EXPECT_EQ(back->metaValue<std::string>("note"), "kept");
+    EXPECT_EQ(back->metaValue<double>("weight"), 0.125);
+    EXPECT_TRUE(gridIn("b.vdb", "mask")->isType<openvdb::BoolGrid>());
+    openvdb::io::File file(at("b.vdb"));
+    file.open();
+    EXPECT_EQ(file.getMetadata()->metaValue<int>("frame"), 24);
+}
+
+TEST_F(VolumeTest, DoesNotReadWhatItIsNotAskedFor) {
+    auto bad = floats("density");
+    bad->tree().setValueOn({1, 1, 1}, std::numeric_limits<float>::quiet_NaN());
+    vdb("a.vdb", {floats("ior"), bad});
+    const Volume volume = Volume::open(at("a.vdb"));
+    EXPECT_NO_THROW(volume.dense("ior", volume.domain()));
+    EXPECT_NO_THROW(write(volume, "b.vdb"));
+    const auto back = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("b.vdb", "density"));
+    EXPECT_TRUE(std::isnan(back->tree().getValue({1, 1, 1}))) << "it was not copied as it was";
+}
+
+TEST_F(VolumeTest, ListsItsGrids) {
+    vdb("a.vdb", {floats("ior"), vectors("absorption", {1, 2, 3})});
+    const auto grids = Volume::open(at("a.vdb")).grids();
+    ASSERT_EQ(grids.size(), 2u);
+    const bool iorFirst = grids[0].name == "ior";
+    EXPECT_EQ(grids[iorFirst ? 0 : 1].type, "float");
+    EXPECT_EQ(grids[iorFirst ? 1 : 0].type, "vec3s");
+    EXPECT_EQ(grids[0].active, (IndexBox{{0, 0, 0}, {7, 7, 7}}));
+}
+
+TEST_F(VolumeTest, ReadsGridsUnderOtherNames) {
+    vdb("a.vdb", {floats("density", 1.25f), floats("ior", 3)});
+    Volume volume = Volume::open(at("a.vdb"), {{"ior", "density"}});
+    EXPECT_TRUE(volume.has("ior"));
+    EXPECT_EQ(volume.dense("ior", {{0, 0, 0}, {0, 0, 0}}).values.at(0), 1.25f);
+    DenseGrid more = volume.dense("ior", volume.domain());
+    for (float& value : more.values) value += 1;
+    volume.put("ior", volume.domain(), more, {.allActive = true});
+    write(volume, "b.vdb");
+    const auto replaced = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("b.vdb", "density"));
+    EXPECT_EQ(replaced->tree().getValue({2, 2, 2}), 2.25f);
+    const auto other = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("b.vdb", "ior"));
+    EXPECT_EQ(other->tree().getValue({2, 2, 2}), 3);
+    const Volume lost = Volume::open(at("a.vdb"), {{"ior", "smoke"}});
+    EXPECT_FALSE(lost.has("ior"));
+    expectError(ExitStatus::data, {"a.vdb", "no grid 'smoke'", "density", "ior"},
+                [&] { lost.require("ior"); });
+}
+
+TEST_F(VolumeTest, PutMarksAsActiveWhatIsAskedFor) {
+    const IndexBox box{{0, 0, 0}, {7, 7, 7}};
+    DenseGrid values;
+    values.size = box.size();
+    values.values.assign(512, 0.5f);
+    values.values[1] = 0.75f;
+    Volume volume{Frame{}};
+    volume.put("some", box, values, {.background = glm::vec3(0.5f)});
+    volume.put("all", box, values, {.background = glm::vec3(0.5f), .allActive = true});
+    write(volume, "a.vdb");
+    EXPECT_EQ(gridIn("a.vdb", "some")->activeVoxelCount(), 1u);
+    EXPECT_EQ(gridIn("a.vdb", "all")->activeVoxelCount(), 512u);
+    EXPECT_EQ(volume.dense("all", box).values, values.values);
+    EXPECT_EQ(volume.background("all", glm::vec3(0)).x, 0.5f);
+}
+
+TEST_F(VolumeTest, PutKeepsWhatTheReplacedGridSaidOfItself) {
+    auto old = floats("ior");
+    old->fill({{0, 0, 0}, {1, 1, 1}}, 1, true); // active, though background
+    old->setGridClass(openvdb::GRID_LEVEL_SET);
+    old->setCreator("someone");
+    old->insertMeta("note", openvdb::StringMetadata("kept"));
+    auto wind = vectors("wind", {1, 2, 3});
+    wind->setVectorType(openvdb::VEC_COVARIANT);
+    vdb("a.vdb", {old, wind});
+    Volume volume = Volume::open(at("a.vdb"));
+    DenseGrid values = volume.dense("ior", volume.domain());
+    values.values.back() = 1; // background, where the old grid was active
+    volume.put("ior", volume.domain(), values, {.background = glm::vec3(1), .keepActive = true});
+    volume.put("wind", volume.domain(), volume.dense("wind", volume.domain()), {});
+    write(volume, "b.vdb");
+    const auto back = gridIn("b.vdb", "ior");
+    EXPECT_EQ(back->getGridClass(), openvdb::GRID_LEVEL_SET);
+    EXPECT_EQ(back->getCreator(), "someone");
+    EXPECT_EQ(back->metaValue<std::string>("note"), "kept");
+    EXPECT_EQ(back->activeVoxelCount(), 512u);
+    EXPECT_EQ(back->metaValue<openvdb::Int64>("file_voxel_count"), 512);
+    EXPECT_EQ(gridIn("b.vdb", "wind")->getVectorType(), openvdb::VEC_COVARIANT);
+
+    volume.put("ior", volume.domain(), values, {.background = glm::vec3(1)});
+    write(volume, "c.vdb");
+    EXPECT_EQ(gridIn("c.vdb", "ior")->activeVoxelCount(), 512u - 8 - 1);
+}
+
+TEST_F(VolumeTest, PutRefusesWhatNoGridMayHold) {
+    const IndexBox box{{4, 5, 6}, {7, 7, 7}};
+    Volume volume{Frame{}};
+    DenseGrid values = numbered(box, 1);
+    values.values[5] = std::numeric_limits<float>::quiet_NaN();
+    expectError(ExitStatus::internal, {"'fluence'", "(5, 6, 6)", "NaN"},
+                [&] { volume.put("fluence", box, values, {}); });
+    values.values[5] = -std::numeric_limits<float>::infinity();
+    expectError(ExitStatus::internal, {"infinite"},
+                [&] { volume.put("fluence", box, values, {}); });
+}
+
+TEST_F(VolumeTest, ALevelSetIsTheSignedDistanceToItsTriangles) {
+    // A cube of edge 8 about the origin, in a frame of voxels of 0.5 moved by (1, 2, 3).
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 8; ++i)
+        points.push_back(8.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 4.0);
+    const std::vector<glm::uvec3> triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                               {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                               {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    Frame frame;
+    frame.voxelSize = 0.5;
+    frame.worldFromIndex = glm::scale(glm::translate(glm::dmat4(1), {1, 2, 3}), glm::dvec3(0.5));
+    const IndexBox box{{-30, -30, -30}, {30, 30, 30}};
+    Volume volume(frame);
+    volume.putLevelSet("sdf", box, points, {{triangles}}, 3);
+    const DenseGrid grid = volume.dense("sdf", box);
+    for (int x = -30; x <= 30; ++x) {
+        // Along the line of voxels with world y and z 0: the distance to the nearer face, up to
+        // the band of 3 voxels = 1.5 units.
+        const double world = 0.5 * x + 1;
+        const double wanted = glm::clamp(std::abs(world) - 4, -1.5, 1.5);
+        const size_t voxel = (static_cast<size_t>(-6 + 30) * 61 + (-4 + 30)) * 61 + (x + 30);
+        EXPECT_NEAR(grid.values[voxel], wanted, 1e-6) << x; // float
+    }
+    write(volume, "a.vdb");
+    const auto back = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("a.vdb", "sdf"));
+    EXPECT_EQ(back->getGridClass(), openvdb::GRID_LEVEL_SET);
+    EXPECT_EQ(back->background(), 1.5f);
+}
