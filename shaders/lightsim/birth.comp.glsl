@@ -23,7 +23,7 @@ layout(binding = 1) uniform sampler3D field;
 
 float indexAt(vec3 x) {
 #if BEND
-    return textureLod(field, (x + 1.5) / vec3(tracing.size.xyz + 2), 0.0).w;
+    return textureLod(field, (x + 1.5) * tracing.scale.xyz, 0.0).w;
 #else
     return tracing.index.x;
 #endif
@@ -54,7 +54,12 @@ void main() {
         // A proxy may reach beyond the domain; rounding may put a face's point just outside it.
         vec2 span = boxSpan(x, direction, params.low.xyz, params.high.xyz);
         if (span.x <= span.y && span.y > 0.0) x += max(span.x, 0.0) * direction;
-        x = clamp(x, params.low.xyz, params.high.xyz);
+        vec3 inside = clamp(x, params.low.xyz, params.high.xyz);
+        if (any(greaterThan(abs(inside - x), vec3(1.0e-2)))) { // more than rounding: it misses
+            photons[id].count = uvec4(kNone, 0u, 0u, 0u);
+            return;
+        }
+        x = inside;
     }
     Photon photon;
     photon.place = vec4(x, weight);
