@@ -1,0 +1,114 @@
+// The ray steps in double: exact where they must be, and of the order they claim.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shader_lib.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+
+using namespace eikonal::shader_lib;
+
+namespace {
+
+using Field = std::function<vec4(vec3)>; // (½∇(n²), n)
+
+Ray verlet(Ray ray, const Field& field, double length, int steps) {
+    const double tau = length / steps;
+    for (int i = 0; i < steps; ++i) ray = verletStep(ray, field(verletMiddle(ray, tau)), tau);
+    return ray;
+}
+
+Ray kicked(Ray ray, const Field& field, double length, int steps) {
+    const double tau = length / steps;
+    for (int i = 0; i < steps; ++i) {
+        ray.w = halfKick(ray.w, field(ray.x), tau);
+        ray.x = ray.x + tau * ray.w;
+        ray.w = halfKick(ray.w, field(ray.x), tau);
+    }
+    return ray;
+}
+
+/// Euler's steps are even in s; a ray that stays in the plane z = z₀ of a field that does not
+/// change along z covers s with dτ = ds/n, so that steps of n τ are even in τ.
+Ray euler(Ray ray, const Field& field, double length, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        const vec4 sample = field(ray.x);
+        ray = eulerStep(ray, sample, sample.w * length / steps);
+    }
+    return ray;
+}
+
+/// n² = n₀² + 2 a · x
+vec4 linearField(vec3 x) {
+    const vec3 a(0.05, -0.02, 0.01);
+    return {a, std::sqrt(1.69 + 2 * glm::dot(a, x))};
+}
+
+/// A GRIN rod along z, n² = n₀² (1 − g² (x² + y²)): x and y are oscillators of frequency n₀ g in τ.
+constexpr double kN0 = 1.5, kG = 0.2;
+vec4 rod(vec3 x) {
+    const double k = kN0 * kN0 * kG * kG;
+    return {-k * x.x, -k * x.y, 0, kN0 * std::sqrt(1 - kG * kG * (x.x * x.x + x.y * x.y))};
+}
+
+const Ray kRodRay{{1, 0.3, 0}, {0.1, 0.2, std::sqrt(kN0* kN0*(1 - kG * kG * 1.09) - 0.05)}};
+
+Ray rodSolution(double tau) {
+    const double f = kN0 * kG, c = std::cos(f * tau), s = std::sin(f * tau);
+    const Ray r = kRodRay;
+    return {{r.x.x * c + r.w.x * s / f, r.x.y * c + r.w.y * s / f, r.w.z * tau},
+            {r.w.x * c - r.x.x * f * s, r.w.y * c - r.x.y * f * s, r.w.z}};
+}
+
+double errorOf(const Ray& a, const Ray& b) {
+    return glm::length(a.x - b.x) + glm::length(a.w - b.w);
+}
+
+/// log₂ of the error's ratio as the steps are halved.
+double orderOf(const std::function<Ray(int)>& trace, const Ray& exact) {
+    return std::log2(errorOf(trace(200), exact) / errorOf(trace(400), exact));
+}
+
+} // namespace
+
+TEST(RaySteps, VerletIsExactWhereTheSquaredIndexIsLinear) {
+    const vec3 a(0.05, -0.02, 0.01);
+    const Ray start{{0, 0, 0}, {0.5, 1.2, 0}};
+    for (const int steps : {1, 3, 100}) {
+        const double tau = 3;
+        const Ray end = verlet(start, linearField, tau, steps);
+        const Ray other = kicked(start, linearField, tau, steps);
+        // The parabola x₀ + w₀ τ + ½ a τ², to double's rounding over a hundred steps.
+        const Ray exact{start.x + tau * start.w + 0.5 * tau * tau * a, start.w + tau * a};
+        EXPECT_LT(errorOf(end, exact), 1e-13) << steps;
+        EXPECT_LT(errorOf(other, exact), 1e-13) << steps;
+        // |w| = n holds there as well: 1.3 at the start, by the field at the end.
+        EXPECT_NEAR(glm::length(end.w), linearField(end.x).w, 1e-13);
+    }
+}
+
+TEST(RaySteps, VerletIsOfSecondOrderOnAGrinRod) {
+    const double tau = 12; // half a period and more: f τ = 3.6
+    const auto drift = [&](int n) { return verlet(kRodRay, rod, tau, n); };
+    const auto kick = [&](int n) { return kicked(kRodRay, rod, tau, n); };
+    // At these steps, f τ/n = 0.018, the next order is 1e-4 of the error.
+    EXPECT_NEAR(orderOf(drift, rodSolution(tau)), 2, 0.01);
+    EXPECT_NEAR(orderOf(kick, rodSolution(tau)), 2, 0.01);
+    EXPECT_LT(errorOf(drift(400), rodSolution(tau)), 1e-4); // f³τ³/24n² and its like
+}
+
+TEST(RaySteps, EulerIsOfFirstOrderOnAGrinRod) {
+    const double tau = 12;
+    // The next order is f² τ/2n = 0.5 % of the error.
+    EXPECT_NEAR(orderOf([&](int n) { return euler(kRodRay, rod, tau, n); }, rodSolution(tau)), 1,
+                0.05);
+}
+
+TEST(RaySteps, VerletKeepsItsIndexOverManyTurnsWhereEulerLosesIt) {
+    // 100 periods at 40 steps each. Symplectic: |w| − n stays of the order (f dτ)²/8 = 3e-3 of the
+    // transverse part; Euler grows by (1 + (f dτ)²)^(n/2), e^49 here, and is lost.
+    const double tau = 100 * 2 * 3.141592653589793 / (kN0 * kG);
+    const Ray end = verlet(kRodRay, rod, tau, 4000);
+    EXPECT_NEAR(glm::length(end.w), rod(end.x).w, 1e-3);
+    const Ray lost = euler(kRodRay, rod, tau / 10, 400);
+    EXPECT_FALSE(std::abs(glm::length(lost.w) - rod(lost.x).w) < 0.1);
+}
