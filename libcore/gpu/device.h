@@ -48,7 +48,8 @@ struct Need {
 };
 
 /// Owns the context, current on the thread that made it, until destroyed. Every gpu object needs
-/// one alive. (EGL_EXT_platform_device first, Mesa's surfaceless platform next.)
+/// one alive; there is one at a time. (EGL_EXT_platform_device first, Mesa's surfaceless platform
+/// next.)
 class Device {
 public:
     /// Throws DeviceError if no device fits the choice.
