@@ -7,7 +7,7 @@ BUNNY := $(DATA)/bunny.off
 # Amber glass in thin haze: what is behind the bunny is bent, dimmed by length and colour, and its
 # shadow and caustics show in the air.
 BUNNY_VOLUME := --ior 1.4 --absorption 0.25,0.9,1.5 --medium-scattering 0.2 \
-                --bounds=-0.95,-1.0,-0.45,0.95,0.6,0.45 --resolution $(RESOLUTION)
+                --bounds=-0.95,-1.0,-0.5,0.95,0.6,0.5 --resolution $(RESOLUTION)
 BUNNY_VIEW   := --eye 0.1,0.25,3.4 --target 0.02,-0.22,0 --fov 21 --tone filmic --exposure=0.2
 STUDIO       := $(OUT)/studio.exr
 

@@ -123,6 +123,7 @@ Simulation::Simulation(gpu::Device& device, const volume::Volume& volume, const 
     mTracing.list = uvec4(0, kStepsPerLaunch, params.maxSteps, 0);
     mTracing.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
     mTracing.index = vec4(plan.index.least, 0, 0, 0);
+    mTracing.scale = vec4(1.0f / glm::vec3(plan.size + 2), 0);
 }
 
 void Simulation::compile() {
@@ -134,7 +135,9 @@ void Simulation::compile() {
     mMarch = Program(mDevice, "lightsim/march.comp.glsl",
                      {{"BEND", mPlan.bends},
                       {"CHANNELS", channels},
-                      {"MEDIUM", mPlan.attenuates},
+                      {"MEDIUM", !mPlan.attenuates ? 0
+                                 : mPlan.dense     ? 2
+                                                   : 1},
                       {"DIRECTION", direction},
                       {"OPAQUE", mPlan.opaque}});
     mAccount = Program(mDevice, "lightsim/account.comp.glsl", {});

@@ -7,6 +7,7 @@
 #include "lightsim/lightsim.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace eikonal::lightsim {
 
@@ -22,6 +23,17 @@ Output neededOutputs(const volume::Volume& volume, const Plan& plan) {
     const bool lobes = plan.scattering.present &&
                        medium::readCoefficient(volume, "anisotropy", volume.domain()).present;
     return lobes || plan.opacity.present ? Output::both : Output::fluence;
+}
+
+/// The largest optical depth of a voxel's diagonal in any channel.
+double deepestVoxel(const Plan& plan) {
+    if (!plan.attenuates) return 0;
+    float most = 0;
+    const auto voxels = static_cast<size_t>(plan.voxels());
+    for (int c = 0; c < plan.tracedChannels(); ++c)
+        for (size_t i = 0; i < voxels; ++i)
+            most = std::max(most, plan.absorption.at(i, c) + plan.scattering.at(i, c));
+    return std::sqrt(3.0) * plan.voxelSize * static_cast<double>(most);
 }
 
 std::string present(const std::string& grid, const medium::Coefficient& coefficient) {
@@ -80,6 +92,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.bends = plan.index.varies();
     plan.attenuates = plan.absorption.present || plan.scattering.present;
     plan.colour = !plan.absorption.grey || !plan.scattering.grey;
+    plan.dense = deepestVoxel(plan) > 0.25;
     plan.opaque = plan.opacity.present &&
                   std::any_of(plan.opacity.grid.values.begin(), plan.opacity.grid.values.end(),
                               [](float opacity) { return opacity > 0.5f; });

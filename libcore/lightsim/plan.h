@@ -19,6 +19,7 @@ struct Plan {
     Output outputs = Output::none;
     bool bends = false;      ///< the index varies
     bool attenuates = false; ///< something absorbs or scatters
+    bool dense = false;      ///< a voxel's diagonal may have an optical depth above 0.25
     bool colour = false;     ///< it does so by wavelength: three traced channels, not one
     bool colouredLight = false;
     bool opaque = false;

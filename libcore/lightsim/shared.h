@@ -15,7 +15,7 @@ using glm::vec4;
 
 static_assert(sizeof(OctreeParams) == 80);
 static_assert(sizeof(BirthParams) == 208);
-static_assert(sizeof(PhotonParams) == 80);
+static_assert(sizeof(PhotonParams) == 96);
 static_assert(sizeof(ResolveParams) == 64);
 static_assert(sizeof(Photon) == 80);
 

@@ -25,7 +25,7 @@ using gpu::Buffer;
 using gpu::TexelFormat;
 using gpu::Texture;
 #include "shared/view_params.h"
-static_assert(sizeof(ViewParams) == 208);
+static_assert(sizeof(ViewParams) == 224);
 static_assert(sizeof(PixelPath) == 64);
 
 // As in shaders/view/march.comp.glsl.
@@ -211,6 +211,7 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
     v.march = vec4(verlet || !mPlan.bends ? mParams.step / most : mParams.step,
                    mPlan.index.background, mPlan.index.least, wantsPaths(mPlan, mParams) ? 1 : 0);
     v.background = vec4(mParams.background, hasMap ? (mapByEdges ? 3 : 2) : 1);
+    v.scale = vec4(1.0f / glm::vec3(size + 2), 0);
     v.light = vec4(mPlan.opaque && mPlan.fluence.present ? 1 : 0, 0, 0, 0);
 
     const double angle = glm::radians(mParams.environmentTurn);

@@ -22,3 +22,11 @@ Attenuation attenuationOf(float x) {
     a.through = x < 1.0 ? 1.0 - x * a.mean : e4 * e4; // each where it rounds least
     return a;
 }
+
+// The same for 0 <= x <= 0.25, where four terms of the series leave an error below 2e-6.
+Attenuation thinAttenuationOf(float x) {
+    Attenuation a;
+    a.mean = 1.0 - x * (0.5 - x * (0.16666667 - x * (0.041666668 - x * 0.008333334)));
+    a.through = 1.0 - x * a.mean;
+    return a;
+}

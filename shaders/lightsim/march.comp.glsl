@@ -13,10 +13,11 @@
 
 #if !defined(BEND) || !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || \
     !defined(OPAQUE)
-#error BEND, MEDIUM, DIRECTION, OPAQUE must be 0 or 1, CHANNELS 1 or 3
+#error BEND, DIRECTION, OPAQUE must be 0 or 1, MEDIUM 0 to 2, CHANNELS 1 or 3
 #endif
 const bool kBend = BEND == 1;           // the index varies
-const bool kMedium = MEDIUM == 1;       // something absorbs or scatters
+const bool kMedium = MEDIUM > 0;        // something absorbs or scatters
+const bool kDense = MEDIUM == 2;        // a voxel may have an optical depth above 0.25
 const bool kColour = CHANNELS == 3;     // it does so by wavelength
 const bool kDirection = DIRECTION == 1; // the net direction is wanted
 const bool kOpaque = OPAQUE == 1;       // opaque voxels stop photons
@@ -43,11 +44,15 @@ layout(binding = 5) uniform usampler3D opaque;    // per voxel, not 0 inside opa
 const uint kNearFull = 0xE0000000u;
 
 vec3 coordinate(vec3 x) {
-    return (x + 1.5) / vec3(params.size.xyz + 2);
+    return (x + 1.5) * params.scale.xyz;
 }
 
 vec4 fieldAt(vec3 x) {
     return kBend ? textureLod(field, coordinate(x), 0.0) : vec4(0.0, 0.0, 0.0, params.index.x);
+}
+
+Attenuation dimmingOf(float depth) {
+    return kDense ? attenuationOf(depth) : thinAttenuationOf(depth);
 }
 
 void main() {
@@ -127,31 +132,32 @@ void main() {
             }
             vec3 share = weight * pathLength;
             if (kMedium && kColour) {
-                Attenuation red = attenuationOf(sigmaT.x * pathLength);
-                Attenuation green = attenuationOf(sigmaT.y * pathLength);
-                Attenuation blue = attenuationOf(sigmaT.z * pathLength);
+                Attenuation red = dimmingOf(sigmaT.x * pathLength);
+                Attenuation green = dimmingOf(sigmaT.y * pathLength);
+                Attenuation blue = dimmingOf(sigmaT.z * pathLength);
                 share *= vec3(red.mean, green.mean, blue.mean);
                 weight *= vec3(red.through, green.through, blue.through);
                 spent += share;
             } else if (kMedium) {
-                Attenuation grey = attenuationOf(sigmaT.x * pathLength);
+                Attenuation grey = dimmingOf(sigmaT.x * pathLength);
                 share.x *= grey.mean;
                 weight.x *= grey.through;
                 spent.x += share.x;
             }
-            // Rounded up as often as the fraction says: nothing is gained or lost on average.
+            // Rounded up as often as the fraction says: nothing is gained or lost on average. By way
+            // of int, to which processors convert in one instruction.
             phase = fract(phase + 0.61803399);
-            uint amount = uint(share.x * unit + phase);
+            uint amount = uint(int(share.x * unit + phase));
             fullest = max(fullest, atomicAdd(planes[0].sums[voxel], amount));
 #if CHANNELS == 3
-            fullest = max(fullest, atomicAdd(planes[1].sums[voxel], uint(share.y * unit + phase)));
-            fullest = max(fullest, atomicAdd(planes[2].sums[voxel], uint(share.z * unit + phase)));
+            fullest = max(fullest, atomicAdd(planes[1].sums[voxel], uint(int(share.y * unit + phase))));
+            fullest = max(fullest, atomicAdd(planes[2].sums[voxel], uint(int(share.z * unit + phase))));
 #endif
 #if DIRECTION
             float power = unit * (kColour ? dot(share, params.colour.xyz) : share.x);
-            atomicAdd(planes[CHANNELS + 0].sums[voxel], uint(towards.x * power + phase));
-            atomicAdd(planes[CHANNELS + 1].sums[voxel], uint(towards.y * power + phase));
-            atomicAdd(planes[CHANNELS + 2].sums[voxel], uint(towards.z * power + phase));
+            atomicAdd(planes[CHANNELS + 0].sums[voxel], uint(int(towards.x * power + phase)));
+            atomicAdd(planes[CHANNELS + 1].sums[voxel], uint(int(towards.y * power + phase)));
+            atomicAdd(planes[CHANNELS + 2].sums[voxel], uint(int(towards.z * power + phase)));
 #endif
             ++deposits;
             t = leave;

@@ -30,6 +30,7 @@ struct PhotonParams {
                  // z: fixed-point unit of one voxel's length at weight 1
     vec4 colour; // xyz: the light's RGB over their sum, the weights of its direction
     vec4 index;  // x: the index, where it does not vary
+    vec4 scale;  // xyz: 1 / (size + 2), voxels to coordinates of padded textures
 };
 
 struct ResolveParams {

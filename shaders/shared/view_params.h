@@ -15,6 +15,7 @@ struct ViewParams {
     vec4 mapFromVoxel0; // rows of the rotation from voxel space to the environment map's frame
     vec4 mapFromVoxel1;
     vec4 mapFromVoxel2;
+    vec4 scale;        // xyz: 1 / (size + 2), voxels to coordinates of padded textures
     vec4 light;        // x: 1 if the file has light for opaque surfaces
 };
 

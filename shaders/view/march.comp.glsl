@@ -37,7 +37,7 @@ layout(binding = 6) uniform sampler3D fluence;  // for opaque surfaces
 
 // Counters are spread over slots so that pixels do not queue for one.
 const uint kSlots = 64u;
-const uint kRays = 0u, kSteps = 1u, kTrapped = 2u, kCounters = 3u;
+const uint kRays = 0u, kSteps = 1u, kTrappedRays = 2u, kCounters = 3u;
 
 void count(uint counter, uint amount) {
     uint slot = (gl_WorkGroupID.x + 7u * gl_WorkGroupID.y) % kSlots;
@@ -46,21 +46,27 @@ void count(uint counter, uint amount) {
 }
 
 vec3 coordinate(vec3 x) {
-    return (x + 1.5) / vec3(params.size.xyz + 2);
+    return (x + 1.5) * params.scale.xyz;
 }
 
 vec4 fieldAt(vec3 at) {
     return kPath == kStraight ? vec4(0.0, 0.0, 0.0, params.march.z) : textureLod(field, at, 0.0);
 }
 
-struct Gathered {
+// A ray on its way, and what it has met.
+const int kWalking = 0, kLeft = 1, kStopped = 2, kTrapped = 3;
+struct Walk {
+    Ray ray;
     vec3 light; // L/n²
     vec3 through;
+    float pathLength;    // [voxel]
+    float opticalLength; // [voxel]
+    int steps;
+    int fate;
 };
 
 // Adds a piece of length ds [voxel] with the medium as sampled at coordinate `at`.
-Gathered gather(Gathered g, vec3 at, vec3 direction, float n, float ds) {
-    if (!kDims && !kShines) return g;
+Walk gather(Walk walk, vec3 at, vec3 direction, float n, float ds) {
     vec3 sigma = vec3(0.0);
     vec3 shine = vec3(0.0);
     vec4 medium = textureLod(dimming, at, 0.0);
@@ -79,26 +85,25 @@ Gathered gather(Gathered g, vec3 at, vec3 direction, float n, float ds) {
         shine *= henyeyGreenstein(lobe.w * min(m, 1.0), cosine);
         if (kEmission) shine += textureLod(emission, at, 0.0).xyz;
     }
-    if (!kDims) {
-        g.light += shine * (ds / (n * n));
-        return g;
-    }
-    vec3 depth = sigma * ds;
     float scale = ds / (n * n);
-    if (kColour) {
+    vec3 depth = sigma * ds;
+    if (!kDims) {
+        walk.light += shine * scale;
+    } else if (kColour) {
         Attenuation red = attenuationOf(depth.x);
         Attenuation green = attenuationOf(depth.y);
         Attenuation blue = attenuationOf(depth.z);
-        if (kShines) g.light += g.through * vec3(red.mean, green.mean, blue.mean) * shine * scale;
-        g.through *= vec3(red.through, green.through, blue.through);
+        if (kShines)
+            walk.light += walk.through * vec3(red.mean, green.mean, blue.mean) * shine * scale;
+        walk.through *= vec3(red.through, green.through, blue.through);
     } else {
         Attenuation grey = attenuationOf(depth.x);
-        float added = kShines ? g.through.x * grey.mean * shine.x * scale : 0.0;
-        if (kOpaque) g.light += vec3(added); // surfaces may be coloured in a grey medium
-        else g.light.x += added;
-        g.through.x *= grey.through;
+        float added = kShines ? walk.through.x * grey.mean * shine.x * scale : 0.0;
+        if (kOpaque) walk.light += vec3(added); // surfaces may be coloured in a grey medium
+        else walk.light.x += added;
+        walk.through.x *= grey.through;
     }
-    return g;
+    return walk;
 }
 
 float opacityAt(vec3 x) {
@@ -120,7 +125,93 @@ vec3 surfaceLight(vec3 x) {
     vec3 arriving = textureLod(fluence, at, 0.0).xyz;
     vec3 towards = textureLod(lobes, at, 0.0).xyz;
     float share = max(-dot(towards, normal), 0.0) + 0.25 * max(1.0 - length(towards), 0.0);
-    return textureLod(surface, coordinate(x), 0.0).yzw * arriving * (share * 0.3183098861837907);
+    return textureLod(surface, coordinate(x - 0.5 * normal), 0.0).yzw * arriving * (share * 0.3183098861837907);
+}
+
+// One step of τ (Euler: of tau = ds/n, sampled at its start), or, into opaque material, part of it.
+Walk takeStep(Walk walk, vec4 sampled, vec3 where, float tau) {
+    float ds = tau * sampled.w;
+    if (kOpaque && textureLod(surface, where, 0.0).x > 0.5) {
+        walk.fate = kStopped;
+        return walk;
+    }
+    if (kDims || kShines) walk = gather(walk, where, walk.ray.w / sampled.w, sampled.w, ds);
+    walk.pathLength += ds;
+    walk.opticalLength += ds * sampled.w;
+    walk.ray = kPath == kStraight ? Ray(walk.ray.x + tau * walk.ray.w, walk.ray.w)
+               : kPath == kEuler  ? eulerStep(walk.ray, sampled, ds)
+                                  : verletStep(walk.ray, sampled, tau);
+    ++walk.steps;
+    return walk;
+}
+
+// Where the opaque surface lies between the last sample outside it and the one inside, and what it
+// sends to the eye.
+Walk meetSurface(Walk walk, vec4 sampled, vec3 inside, float tau) {
+    vec3 outside = inside - tau * walk.ray.w;
+    for (int i = 0; i < 12; ++i) {
+        vec3 between = 0.5 * (outside + inside);
+        if (opacityAt(between) > 0.5) inside = between;
+        else outside = between;
+    }
+    float ds = max(dot(inside - walk.ray.x, walk.ray.w) / sampled.w, 0.0);
+    if (kDims || kShines)
+        walk = gather(walk, coordinate(walk.ray.x + (0.5 * ds / sampled.w) * walk.ray.w),
+                      walk.ray.w / sampled.w, sampled.w, ds);
+    walk.pathLength += ds;
+    walk.opticalLength += ds * sampled.w;
+    walk.ray.x = inside;
+    vec3 through = kColour ? walk.through : vec3(walk.through.x);
+    walk.light += through * surfaceLight(inside) / (sampled.w * sampled.w);
+    return walk;
+}
+
+// From the entry to where the ray leaves, stops or has used up its steps. What is rare stands
+// outside the inner loop: software devices walk every branch of a loop in every round.
+Walk walkThrough(Walk walk, vec3 low, vec3 high) {
+    int limit = params.size.w;
+    vec3 centre = 0.5 * (low + high);
+    vec3 halfSize = high - centre;
+    vec4 sampled = vec4(0.0, 0.0, 0.0, 1.0);
+    vec3 at = walk.ray.x;
+    float tau = params.march.x;
+    while (walk.fate == kWalking) {
+        bool inside = true;
+        while (inside && walk.fate == kWalking) {
+            if (kPath == kEuler) {
+                at = walk.ray.x;
+                sampled = fieldAt(coordinate(at));
+                tau = params.march.x / sampled.w;
+            }
+            inside = all(lessThanEqual(abs(walk.ray.x + tau * walk.ray.w - centre), halfSize)) &&
+                     walk.steps < limit;
+            if (!inside) break;
+            if (kPath != kEuler) {
+                at = verletMiddle(walk.ray, tau);
+                sampled = fieldAt(coordinate(at));
+            }
+            walk = takeStep(walk, sampled, coordinate(at), tau);
+        }
+        if (walk.fate == kStopped) break;
+        if (walk.steps >= limit) {
+            walk.fate = kTrapped;
+            break;
+        }
+        // The step that would leave ends on the face, unless the field turns the ray back there.
+        tau = min(tau, timeToLeave(walk.ray.x, walk.ray.w, low, high));
+        if (kPath != kEuler) {
+            at = verletMiddle(walk.ray, tau);
+            sampled = fieldAt(coordinate(at));
+        }
+        walk = takeStep(walk, sampled, coordinate(at), tau);
+        if (walk.fate == kStopped) break;
+        if (timeToLeave(walk.ray.x, walk.ray.w, low, high) <= 1.0e-3 * params.march.x)
+            walk.fate = kLeft;
+        walk.ray.x = clamp(walk.ray.x, low, high);
+        tau = params.march.x;
+    }
+    if (kOpaque && walk.fate == kStopped) walk = meetSurface(walk, sampled, at, tau);
+    return walk;
 }
 
 void main() {
@@ -155,107 +246,40 @@ void main() {
     vec3 start = vec3(towards);
     vec3 low = vec3(-0.5);
     vec3 high = vec3(params.size.xyz) - 0.5;
-    vec3 centre = 0.5 * (low + high);
-    vec3 halfSize = high - centre;
-    Ray ray;
-    ray.x = hits ? clamp(vec3(eye + enter * towards), low, high) : vec3(eye);
-    ray.w = start;
-    Gathered gathered = Gathered(vec3(0.0), vec3(1.0));
-    float pathLength = 0.0;
-    float opticalLength = 0.0;
-    float indexAtExit = params.march.y;
-    bool stopped = false;
-    bool trapped = false;
-    int steps = 0;
+    Ray ray = Ray(hits ? clamp(vec3(eye + enter * towards), low, high) : vec3(eye), start);
+    Walk walk = Walk(ray, vec3(0.0), vec3(1.0), 0.0, 0.0, 0, kWalking);
 
     if (hits) {
-        ray.w *= fieldAt(coordinate(ray.x)).w;
-        int limit = params.size.w;
-        trapped = true;
-        for (; steps < limit; ++steps) {
-            vec4 sampled;
-            vec3 where;
-            float tau = params.march.x;
-            if (kPath == kEuler) {
-                where = coordinate(ray.x);
-                sampled = fieldAt(where);
-                tau /= sampled.w;
-            }
-            bool last = any(greaterThan(abs(ray.x + tau * ray.w - centre), halfSize));
-            if (last) tau = min(tau, timeToLeave(ray.x, ray.w, low, high));
-            vec3 middle = verletMiddle(ray, tau);
-            if (kPath != kEuler) {
-                where = coordinate(middle);
-                sampled = fieldAt(where);
-            }
-            float ds = tau * sampled.w;
-            if (kOpaque) {
-                vec3 seen = kPath == kEuler ? ray.x : middle;
-                if (textureLod(surface, where, 0.0).x > 0.5) {
-                    // The surface lies between the last sample and this one.
-                    vec3 outside = seen - ds * ray.w / sampled.w;
-                    vec3 inside = seen;
-                    for (int i = 0; i < 12; ++i) {
-                        vec3 half_ = 0.5 * (outside + inside);
-                        if (opacityAt(half_) > 0.5) inside = half_;
-                        else outside = half_;
-                    }
-                    ds = max(dot(inside - ray.x, ray.w) / sampled.w, 0.0);
-                    gathered = gather(gathered, where, ray.w / length(ray.w), sampled.w, ds);
-                    pathLength += ds;
-                    opticalLength += ds * sampled.w;
-                    ray.x = inside;
-                    gathered.light += (kColour ? gathered.through : vec3(gathered.through.x)) *
-                                      surfaceLight(inside) / (sampled.w * sampled.w);
-                    stopped = true;
-                    trapped = false;
-                    break;
-                }
-            }
-            gathered = gather(gathered, where, ray.w / sampled.w, sampled.w, ds);
-            pathLength += ds;
-            opticalLength += ds * sampled.w;
-            ray = kPath == kStraight ? Ray(ray.x + tau * ray.w, ray.w)
-                  : kPath == kEuler  ? eulerStep(ray, sampled, tau * sampled.w)
-                                     : verletStep(ray, sampled, tau);
-            if (last) {
-                if (timeToLeave(ray.x, ray.w, low, high) <= 1.0e-3 * params.march.x) {
-                    trapped = false;
-                    break;
-                }
-                ray.x = clamp(ray.x, low, high);
-            }
-        }
-        if (!stopped) ray.x = clamp(ray.x, low, high);
-        indexAtExit = fieldAt(coordinate(ray.x)).w;
+        walk.ray.w *= fieldAt(coordinate(walk.ray.x)).w;
+        walk = walkThrough(walk, low, high);
         count(kRays, 1u);
-        count(kSteps, uint(steps));
-        if (trapped) count(kTrapped, 1u);
+        count(kSteps, uint(walk.steps));
+        if (walk.fate == kTrapped) count(kTrappedRays, 1u);
     }
-
     if (!kColour) {
-        gathered.through = vec3(gathered.through.x);
-        if (!kOpaque) gathered.light = vec3(gathered.light.x);
+        walk.through = vec3(walk.through.x);
+        if (!kOpaque) walk.light = vec3(walk.light.x);
     }
-    vec3 direction = ray.w / length(ray.w);
-    vec3 light = gathered.light;
-    if (!stopped) { // a trapped ray sees what it would see going straight on
+    vec3 direction = walk.ray.w / length(walk.ray.w);
+    vec3 light = walk.light;
+    if (walk.fate != kStopped) { // a trapped ray sees what it would see going straight on
         vec3 sky = backgroundLight(direction);
-        light += gathered.through * sky / (params.march.y * params.march.y);
+        light += walk.through * sky / (params.march.y * params.march.y);
     }
     bool eyeInside = hits && enter == 0.0LF;
     float n = eyeInside ? fieldAt(coordinate(vec3(eye))).w : params.march.y;
     vec3 turned = direction - start;
     // Where no gradient acted the direction is the same but for rounding.
-    bool changed = hits && (stopped || trapped || dot(turned, turned) > 1.0e-12 ||
-                            gathered.through != vec3(1.0) || gathered.light != vec3(0.0));
+    bool changed = hits && (walk.fate == kStopped || dot(turned, turned) > 1.0e-12 ||
+                            walk.through != vec3(1.0) || walk.light != vec3(0.0));
     colours[at] = vec4(light * (n * n), changed ? 1.0 : 0.0);
     if (params.march.w == 1.0) {
         PixelPath path;
-        path.place = vec4(ray.x, opticalLength);
-        path.direction = vec4(direction, pathLength);
-        path.through = vec4(stopped ? vec3(0.0) : gathered.through, float(steps));
-        path.error = vec4(hits ? abs(length(ray.w) - indexAtExit) : 0.0, hits ? 0.0 : 1.0, 0.0, 0.0);
+        path.place = vec4(walk.ray.x, walk.opticalLength);
+        path.direction = vec4(direction, walk.pathLength);
+        path.through = vec4(walk.fate == kStopped ? vec3(0.0) : walk.through, float(walk.steps));
+        float atExit = hits ? fieldAt(coordinate(walk.ray.x)).w : 1.0;
+        path.error = vec4(abs(length(walk.ray.w) - atExit), hits ? 0.0 : 1.0, 0.0, 0.0);
         paths[at] = path;
     }
 }

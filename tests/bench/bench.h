@@ -1,0 +1,43 @@
+// The benchmark's parts: kernels beside bare ones in one process, stages as whole processes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/device.h"
+#include "mesh/triangle_mesh.h"
+#include "volume/volume.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+    std::string bin;    ///< folder of the tools
+    std::string work;   ///< folder for files made on the way
+    std::string device; ///< --device
+    std::string bunny;  ///< mesh file, or ""
+    int repeats = 5;    ///< of each measurement; the median counts
+};
+
+double median(std::vector<double> values);
+
+/// A blurred glass ball of radius ½ in a box of edge 2, index 1.5, with `voxels` along an edge;
+/// grey haze outside it if `haze` (σ_s 0.3).
+eikonal::volume::Volume ballVolume(int voxels, bool haze);
+
+/// A closed bumpy sphere of about so many triangles, radius at most ½.
+eikonal::mesh::TriangleMesh bumpySphere(int triangles);
+
+void writeObj(const eikonal::mesh::TriangleMesh& mesh, const std::string& path);
+
+/// View and photon passes against the bare march and the bare atomic add, in this process.
+Json measureKernels(const Settings& settings);
+/// Fixed cost of every stage on 32³, and the share of reading and writing at 128³.
+Json measureStages(const Settings& settings);
+/// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.
+Json measureTables(const Settings& settings);
+
+} // namespace bench
