@@ -125,7 +125,9 @@ vec3 surfaceLight(vec3 x) {
     vec3 arriving = textureLod(fluence, at, 0.0).xyz;
     vec3 towards = textureLod(lobes, at, 0.0).xyz;
     float share = max(-dot(towards, normal), 0.0) + 0.25 * max(1.0 - length(towards), 0.0);
-    return textureLod(surface, coordinate(x - 0.5 * normal), 0.0).yzw * arriving * (share * 0.3183098861837907);
+    // Its albedo half a voxel behind: in front there may be none.
+    vec3 albedo = textureLod(surface, coordinate(x - 0.5 * normal), 0.0).yzw;
+    return albedo * arriving * (share * 0.3183098861837907);
 }
 
 // One step of τ (Euler: of tau = ds/n, sampled at its start), or, into opaque material, part of it.
