@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Holds every #include in libcore to libcore/rooms.txt, and vendors' headers to their one room.
+# Rerun: tests/structure/check_rooms.sh .
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -uo pipefail
+cd "${1:-.}/libcore" || exit 2
+bad=0
+complain() { echo "$1"; bad=1; }
+
+declare -A allowed
+while IFS=: read -r room may; do
+    room=${room//[[:space:]]/}
+    [ -n "$room" ] && allowed[$room]=" $room $may "
+done < <(sed 's/#.*//' rooms.txt)
+[ ${#allowed[@]} -ge 2 ] || { echo "rooms.txt names no rooms"; exit 2; }
+
+for folder in */; do
+    room=${folder%/}
+    [ -n "${allowed[$room]:-}" ] || { complain "libcore/$room is not in rooms.txt"; continue; }
+    while IFS=: read -r file line include; do
+        other=$(sed -E 's/.*"([^"\/]+)\/.*/\1/' <<<"$include")
+        [ "$other" = shared ] && continue # structs that shaders and C++ both read
+        [ -d "$other" ] || { complain "libcore/$file:$line: includes \"$other/...\", which is no room"; continue; }
+        case "${allowed[$room]}" in
+        *" $other "*) ;;
+        *) complain "libcore/$file:$line: room $room may not include room $other" ;;
+        esac
+    done < <(grep -rnE '^#include "[^"]+/' "$room")
+done
+
+# vendor pattern : the rooms behind whose door it stays
+while IFS='|' read -r pattern rooms; do
+    while IFS=: read -r file line _; do
+        case " $rooms " in
+        *" ${file%%/*} "*) ;;
+        *) complain "libcore/$file:$line: $pattern belongs to: $rooms" ;;
+        esac
+    done < <(grep -rnE "^#include <$pattern" .  | sed 's|^\./||')
+done <<'E2'
+openvdb/|volume
+CGAL/|mesh
+OpenEXR/|image
+Imf|image
+Imath|image volume
+OpenImageIO/|image
+EGL/|gpu
+epoxy/|gpu
+CLI/|none
+gtest/|none
+E2
+[ $bad -eq 0 ] && echo "rooms: every include is granted"
+exit $bad
