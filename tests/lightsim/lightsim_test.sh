@@ -1,0 +1,243 @@
+#!/bin/bash
+# The manners of lightsim: what it answers, with which status, and what it leaves behind.
+# SPDX-License-Identifier: GPL-3.0-or-later
+tool=lightsim
+. "$(dirname "$0")/../pipeline/manners.sh"
+sun='--light directional:0,-1,0'
+few='--photons 1000'
+
+test_help() {
+    expect 0 lightsim --help
+    prints 'IN.vdb'
+    expect 0 lightsim --version
+    prints '^lightsim [0-9]'
+}
+
+test_bad_usage() {
+    refuses 64
+    refuses 64 in.vdb
+    refuses 64 in.vdb -o out.vdb
+    says '--light'
+    refuses 64 in.vdb $sun
+    refuses 64 in.vdb extra.vdb $sun -o out.vdb
+    refuses 64 in.vdb $sun -o out.vdb --nonsense
+    local spec
+    for spec in '' sun directional directional: directional:1,2 directional:1,2,3,4 directional:0,0,0 \
+        directional:a,b,c directional:1,2,nan directional:1,2,inf directional:1,2,3: \
+        directional:1,2,3:1,2 directional:1,2,3:-1,0,0 directional:1,2,3:1,2,3:4 point point:1,2 \
+        point:1,2,x point:1,2,3:1,2,3,4 point:nan,0,0 'directional:1e300,1e300,1e300' \
+        'directional: 1,2,3' spot:1,2,3; do
+        refuses 64 in.vdb -o out.vdb --light "$spec"
+    done
+    local option
+    for option in photons=0 photons=-5 photons=x photons=1e30 tolerance=-1 tolerance=nan \
+        tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
+        step-min=1e9 max-steps=0 max-steps=100000 drop-below=1 drop-below=-1 drop-below=nan \
+        thin-to=1 thin-to=-0.1 thin-to=nan smoothing=-1 smoothing=65 smoothing=x method=magic \
+        outputs=nothing outputs=fluence, outputs= seed=-1 threads=-1 device=nothing \
+        progress=loud; do
+        refuses 64 in.vdb $sun -o out.vdb "--$option"
+        says "${option%%=*}"
+    done
+}
+
+test_output_is_input() {
+    cp in.vdb out.vdb
+    expect 64 lightsim out.vdb $sun $few -o out.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed"
+    ln -s out.vdb link.vdb
+    expect 64 lightsim out.vdb $sun $few -o link.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed through a link"
+    expect 64 lightsim out.vdb $sun $few -o other.vdb --stats out.vdb
+    [ ! -e other.vdb ] || fail "other.vdb was written"
+    rm -f out.vdb link.vdb other.vdb
+}
+
+test_missing_input() {
+    refuses 66 absent.vdb $sun -o out.vdb
+    says absent.vdb
+    refuses 66 in.vdb $sun -o out.vdb --config absent.toml
+    refuses 66 in.vdb $sun -o out.vdb --proxy absent.obj
+}
+
+test_bad_input() {
+    head -c 5000 /dev/zero | tr '\0' x >garbage.vdb
+    : >empty.vdb
+    mkdir -p folder.vdb
+    local file size part
+    for file in garbage.vdb empty.vdb folder.vdb; do
+        refuses 65 $file $sun -o out.vdb
+        says $file
+    done
+    refuses 65 in.vdb $sun -o out.vdb --proxy garbage.vdb
+    size=$(stat -c %s in.vdb)
+    for part in 10 300 $((size / 2)) $((size - 1)); do
+        head -c "$part" in.vdb >cut.vdb
+        refuses 65 cut.vdb $sun -o out.vdb
+        says cut.vdb
+    done
+    expect 65 bash -c "lightsim - $sun -o out.vdb <cut.vdb"
+    nothing_left
+}
+
+test_values_out_of_range() {
+    # Under another name the maker and the reader do not check; one voxel of each is bad.
+    local grid value alias
+    while read -r grid value alias; do
+        make_volume bad.vdb size=4 scattering constant:1:all "$alias" "$value:all" ||
+            fail "make_volume"
+        refuses 65 bad.vdb $sun $few -o out.vdb --grid-"$grid" "${alias%=*}"
+        says "grid '${alias%=*}'"
+        case $value in delta*) says '1, *2, *3' ;; *) says '0, *0, *0' ;; esac
+    done <<'END'
+scattering delta:1,2,3:-1 v_x
+absorption delta:1,2,3:-1 v_x
+opacity delta:1,2,3:2 x
+opacity delta:1,2,3:-1 x
+ior constant:0 x=1
+ior constant:-1.5 x=1
+anisotropy constant:1 x
+anisotropy constant:-1 x
+END
+    # A NaN among the bytes of an otherwise good grid: 7.5, stored once, becomes one.
+    make_volume bad.vdb size=4 scattering delta:1,2,3:7.5,1,1 || fail "make_volume"
+    python3 - <<'END'
+import struct
+data = open("bad.vdb", "rb").read()
+nan = struct.pack("<f", float("nan"))
+open("nan.vdb", "wb").write(data.replace(struct.pack("<f", 7.5), nan))
+END
+    cmp -s bad.vdb nan.vdb && fail "the test found no value to spoil"
+    refuses 65 nan.vdb $sun $few -o out.vdb
+    says "'scattering'"
+    says '1, *2, *3'
+}
+
+test_outputs_that_fail() {
+    refuses 73 in.vdb $sun $few -o absent/out.vdb
+    says absent/out.vdb
+    echo mine >out.vdb
+    expect 73 lightsim in.vdb $sun $few -o out.vdb --no-clobber
+    [ "$(cat out.vdb)" = mine ] || fail "--no-clobber let the file be changed"
+    rm out.vdb
+    refuses 74 in.vdb $sun $few -o /dev/full
+    expect 74 bash -c "lightsim in.vdb $sun $few -o - >/dev/full"
+    refuses 74 in.vdb $sun $few -o out.vdb --stats /dev/full
+    pipe_breaks lightsim in.vdb $sun $few -o -
+}
+
+test_devices() {
+    refuses 69 in.vdb $sun $few -o out.vdb --device 99
+    refuses 69 in.vdb $sun $few -o out.vdb --device software --require-gpu
+    expect 0 lightsim --device list
+    prints '^0 '
+}
+
+test_explains() {
+    expect 0 lightsim in.vdb $sun --explain
+    prints '^voxels: 16 x 16 x 16'
+    prints '^scattering: on'
+    prints '^refraction: on'
+    prints '^light_direction: off (scattering is isotropic)'
+    expect 0 lightsim in.vdb $sun --explain -o out.vdb
+    nothing_left
+    expect 0 lightsim glass.vdb $sun --explain
+    prints '^fluence: off'
+}
+
+test_stats() {
+    expect 0 lightsim in.vdb $sun --photons 5000 -o out.vdb --stats stats.json --seed 3
+    [ ! -s stdout ] || fail "it wrote to standard output"
+    holds stats.json '.tool == "lightsim" and (.version | test("^[0-9]")) and
+        (.command | test("--seed 3"))'
+    holds stats.json '.device | (.vendor and .renderer and .version) and
+        (.software | type == "boolean")'
+    holds stats.json '.effects | .scattering.on == true and (.scattering.why | length > 0) and
+        .light_direction.on == false and .opaque.on == false'
+    holds stats.json '[.passes[].name] | index("photons") != null and index("octree") != null'
+    holds stats.json 'all(.passes[]; .gpu_ms >= 0 and .cpu_ms >= 0)'
+    holds stats.json '.counters | .photons > 4000 and .steps >= .photons and
+        .deposits >= .steps and .atomic_adds == 3 * .deposits and .trapped == 0'
+    holds stats.json '.energy | [.emitted, .entered, .absorbed, .scattered, .escaped, .lost] |
+        all(length == 3)'
+    holds stats.json '.energy as $e | all(range(3); $e.entered[.] -
+        ($e.absorbed[.] + $e.scattered[.] + $e.escaped[.] + $e.lost[.]) |
+        fabs < 1e-4 * $e.entered[0])'
+    holds stats.json '.memory | .gpu_peak_bytes > 0 and .rss_peak_bytes > 0'
+    holds stats.json '.wall_ms > 0'
+    rm -f out.vdb
+}
+
+test_copies_what_needs_nothing() {
+    expect 0 lightsim glass.vdb $sun -o out.vdb --stats stats.json
+    says 'nothing to simulate'
+    holds stats.json '.device == null'
+    [ "$(vdb_print out.vdb | grep -c fluence)" -eq 0 ] || fail "a fluence grid was written"
+    expect 0 lightsim glass.vdb $sun -o out.vdb --quiet
+    [ ! -s stderr ] || fail "--quiet talks"
+    rm out.vdb
+}
+
+test_writes_what_is_asked() {
+    expect 0 lightsim in.vdb $sun $few -o out.vdb
+    [ "$(vdb_print out.vdb | grep -c light_direction)" -eq 0 ] || fail "light_direction written"
+    [ "$(vdb_print out.vdb | grep -c fluence)" -gt 0 ] || fail "no fluence was written"
+    vdb_print -l out.vdb >text
+    grep -q 'eikonal:command.*lightsim' text || grep -q 'lightsim' text || fail "no history"
+    expect 0 lightsim glass.vdb $sun $few -o out.vdb --outputs light_direction
+    [ "$(vdb_print out.vdb | grep -c fluence)" -eq 0 ] || fail "fluence was written"
+    [ "$(vdb_print out.vdb | grep -c light_direction)" -gt 0 ] || fail "no light_direction"
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --dump-octree outree.vdb
+    [ "$(vdb_print outree.vdb | grep -c octree_level)" -gt 0 ] || fail "no octree was written"
+    rm -f out.vdb outree.vdb
+}
+
+test_progress() {
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --progress alf
+    says '^ALF_PROGRESS 100%$'
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --progress openjd
+    says '^openjd_progress: 100$'
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --progress json
+    says '"progress":1.00'
+    jq -es 'all(.tool == "lightsim") and (map(.progress) | . == sort)' stderr >/dev/null ||
+        fail "progress is no JSON, or goes back"
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --progress none
+    [ ! -s stderr ] || fail "--progress none talks"
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --quiet
+    [ ! -s stderr ] || fail "--quiet talks"
+    [ ! -s stdout ] || fail "it wrote to standard output"
+    rm out.vdb
+}
+
+test_pipes_and_repeats() {
+    local threads
+    for threads in 1 2; do
+        # Threads by the environment, since the history in the file holds the command.
+        expect 0 bash -c "lightsim - $sun -o - --photons 20000 <in.vdb |
+            LP_NUM_THREADS=$threads lightsim - $sun -o - --photons 20000 \
+            --outputs fluence,light_direction >out$threads"
+    done
+    cmp -s out1 out2 || fail "two runs through a pipe differ"
+    rm -f out*
+    # A number of threads by an option's file of its own, for the same reason.
+    for threads in 1 2 2; do
+        echo "threads=$threads" >options.toml
+        expect 0 lightsim in.vdb $sun --light point:0.3,4,0.1 --photons 20000 -o out.vdb \
+            --config options.toml
+        [ ! -e first.vdb ] || cmp -s first.vdb out.vdb || fail "$threads threads give other bytes"
+        mv out.vdb first.vdb
+    done
+    rm -f first.vdb
+}
+
+test_signal_leaves_nothing() {
+    local signal
+    for signal in TERM INT; do
+        dies_by $signal lightsim in.vdb $sun --photons 400000000 -o out.vdb --quiet
+    done
+}
+
+make_volume in.vdb size=16 voxel=0.1 ior sphere:0.5:1.5:1:all scattering constant:0.1,0.2,0.3 \
+    absorption sphere:0.4:1,2,3:0 || exit 2
+make_volume glass.vdb size=16 voxel=0.1 ior sphere:0.5:1.5:1:all || exit 2
+run_tests
