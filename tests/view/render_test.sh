@@ -1,0 +1,239 @@
+#!/bin/bash
+# The manners of render: what it answers, with which status, and what it leaves behind.
+# SPDX-License-Identifier: GPL-3.0-or-later
+tool=render
+. "$(dirname "$0")/../pipeline/manners.sh"
+aim='--eye 0,0,5 --target 0,0,0'
+view="$aim --fov 30 --size 16x12"
+
+test_help() {
+    expect 0 render --help
+    prints 'IN.vdb'
+    expect 0 render --version
+    prints '^render [0-9]'
+}
+
+test_bad_usage() {
+    refuses 64
+    refuses 64 in.vdb
+    refuses 64 in.vdb -o out.exr
+    refuses 64 in.vdb $view
+    refuses 64 $view -o out.exr
+    refuses 64 in.vdb $view -o out.exr --nonsense
+    local value
+    for value in '' 16 16x 16x0 0x16 -4x4 16x12x3 1.5x2 axb 1e9x1 16,12 nanx4; do
+        refuses 64 in.vdb $aim --fov 30 --size "$value" -o out.exr
+        says '--size'
+    done
+    for value in 0 180 -30 nan inf x; do
+        refuses 64 in.vdb $aim --size 4x4 --fov="$value" -o out.exr
+        says '--fov'
+    done
+    for value in 0 -1 nan inf x; do
+        refuses 64 in.vdb $aim --size 4x4 --ortho="$value" -o out.exr
+        says '--ortho'
+    done
+    refuses 64 in.vdb $aim --size 4x4 -o out.exr
+    says '--fov or --ortho'
+    refuses 64 in.vdb $aim --size 4x4 --fov 30 --ortho 2 -o out.exr
+    refuses 64 in.vdb --eye 1,2,3 --target 1,2,3 --fov 30 --size 4x4 -o out.exr
+    says '--target'
+    refuses 64 in.vdb --eye 0,5,0 --target 0,0,0 --fov 30 --size 4x4 -o out.exr
+    says '--up'
+    refuses 64 in.vdb $view --up 0,0,0 -o out.exr
+    refuses 64 in.vdb $view --up 0,0,-2 -o out.exr
+    for value in '' 1 1,2 1,2,3,4 a,b,c nan,0,0; do
+        refuses 64 in.vdb --eye="$value" --target 0,0,0 --fov 30 --size 4x4 -o out.exr
+        says '--eye'
+    done
+    for value in step=0 step=-1 step=nan step=1e9 max-steps=-1 integrator=magic aov=depth aov=Z, \
+        aov=Z,Z,depth background=-1 background=1,2 background=nan env-up=x env-rotate=nan \
+        tone=loud exposure=x seed=-1 threads=-1 device=nothing progress=loud; do
+        refuses 64 in.vdb $view -o out.exr "--$value"
+        says "${value%%=*}"
+    done
+    refuses 64 in.vdb $view -o out.exr --env env.exr --background 1
+    refuses 64 in.vdb $view -o out.exr -o out.exr
+    refuses 64 - - $view -o out.exr
+}
+
+test_output_is_input() {
+    cp in.vdb out.vdb
+    expect 64 render out.vdb $view -o out.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed"
+    expect 64 render in.vdb out.vdb $view -o other.exr --stats out.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed by --stats"
+    cp env.exr out.exr
+    expect 64 render in.vdb $view --env out.exr -o out.exr
+    cmp -s env.exr out.exr || fail "the environment was changed"
+    rm -f out.vdb out.exr
+    [ ! -e other.exr ] || fail "other.exr was written"
+}
+
+test_missing_input() {
+    refuses 66 absent.vdb $view -o out.exr
+    says absent.vdb
+    refuses 66 in.vdb absent.vdb $view -o out.exr
+    refuses 66 in.vdb $view --env absent.exr -o out.exr
+    says absent.exr
+    refuses 66 in.vdb $view -o out.exr --config absent.toml
+}
+
+test_bad_input() {
+    head -c 5000 /dev/zero | tr '\0' x >garbage.vdb
+    : >empty.vdb
+    local file size part
+    for file in garbage.vdb empty.vdb; do
+        refuses 65 $file $view -o out.exr
+        says $file
+        refuses 65 in.vdb $view --env $file -o out.exr
+        says $file
+    done
+    size=$(stat -c %s in.vdb)
+    for part in 300 $((size / 2)) $((size - 1)); do
+        head -c "$part" in.vdb >cut.vdb
+        refuses 65 cut.vdb $view -o out.exr
+        says cut.vdb
+    done
+    head -c 500 env.exr >cut.exr
+    refuses 65 in.vdb $view --env cut.exr -o out.exr
+    says cut.exr
+    make_volume moved.vdb size=16 voxel=0.1 centre=0.05,0,0 fluence constant:1 || fail make_volume
+    refuses 65 in.vdb moved.vdb $view -o out.exr
+    says 'transform'
+}
+
+test_values_out_of_range() {
+    local grid value alias
+    while read -r grid value alias; do
+        make_volume bad.vdb size=4 scattering constant:1:all fluence constant:1:all \
+            opacity box:0.6:1:0:all "$alias" "$value:all" || fail "make_volume"
+        refuses 65 bad.vdb $view -o out.exr --grid-"$grid" "${alias%=*}"
+        says "grid '${alias%=*}'"
+    done <<'END'
+emission delta:1,2,3:-1 v_x
+albedo delta:1,2,3:-1 v_x
+albedo delta:1,2,3:2 v_x
+fluence delta:1,2,3:-1 v_x
+ior constant:0 x=1
+anisotropy constant:1 x
+END
+}
+
+test_outputs_that_fail() {
+    refuses 73 in.vdb $view -o absent/out.exr
+    says absent/out.exr
+    echo mine >out.exr
+    expect 73 render in.vdb $view -o out.exr --no-clobber
+    [ "$(cat out.exr)" = mine ] || fail "--no-clobber let the file be changed"
+    rm out.exr
+    refuses 74 in.vdb $view -o /dev/full
+    expect 74 bash -c "render in.vdb $view -o - >/dev/full"
+    refuses 74 in.vdb $view -o out.exr --stats /dev/full
+    pipe_breaks render in.vdb $aim --fov 30 --size 300x300 -o -
+    # Of two outputs one that fails keeps the other from being written.
+    refuses 73 in.vdb $view -o out.exr -o absent/out.png
+}
+
+test_devices() {
+    refuses 69 in.vdb $view -o out.exr --device 99
+    refuses 69 in.vdb $view -o out.exr --device software --require-gpu
+}
+
+test_explains() {
+    expect 0 render in.vdb $view --explain
+    prints '^refraction: on'
+    prints '^absorption: on'
+    prints '^scattering: off'
+    prints '^environment: off'
+    expect 0 render in.vdb $view --explain --background 1 -o out.exr
+    prints '^environment: on'
+    nothing_left
+}
+
+test_stats() {
+    expect 0 render in.vdb $view -o out.exr --stats stats.json
+    [ ! -s stdout ] || fail "it wrote to standard output"
+    holds stats.json '.tool == "render" and (.version | test("^[0-9]")) and
+        (.command | test("--fov 30"))'
+    holds stats.json '.device | (.vendor and .renderer and .version) and
+        (.software | type == "boolean")'
+    holds stats.json '.effects | .refraction.on == true and (.refraction.why | length > 0)'
+    holds stats.json '[.passes[].name] | index("view") != null and index("read") != null'
+    holds stats.json '.counters | .rays > 0 and .rays <= 192 and .steps > .rays and .trapped == 0'
+    holds stats.json '.memory | .gpu_peak_bytes > 0 and .rss_peak_bytes > 0'
+    holds stats.json '.wall_ms > 0'
+    rm out.exr
+}
+
+test_header_and_channels() {
+    expect 0 render in.vdb $view -o out.exr --aov all
+    oiiotool --info -v out.exr >info || fail "oiiotool does not read it"
+    local text
+    for text in '16 x *12, 2[0-9] channel, float openexr' 'eikonal:tool: "render"' \
+        '^render in.vdb .*--aov all' worldtocamera: worldtoNDC: 'chromaticities: 0.64, 0.33' \
+        'exit_position.X' 'exit_direction.Z' 'transmittance.G' 'optical_path_length' \
+        'path_length' 'steps' 'Z' 'error' 'AR, AG, AB\|AB'; do
+        grep -qi -e "$text" info || fail "'$text' is not in the header: $(cat info)"
+    done
+    grep -qi 'datetime\|capdate' info && fail "the header holds a date"
+    expect 0 render in.vdb $view -o out.exr
+    oiiotool --info -v out.exr >info
+    grep -q 'exit_position' info && fail "a picture not asked for was written"
+    rm out.exr
+}
+
+test_several_outputs() {
+    expect 0 render in.vdb $view --background 0.5 -o out.exr -o out.png
+    oiiotool --info out.png | grep -q '16 x *12, 3 channel, uint8 png' ||
+        fail "out.png: $(oiiotool --info out.png)"
+    oiiotool --info out.exr | grep -q float || fail "out.exr: $(oiiotool --info out.exr)"
+    # Its corner sees the background past the ball: 0.5 is 188 in sRGB.
+    oiiotool --dumpdata out.png | grep -q 'Pixel (0, 0): 188 188 188' ||
+        fail "out.png: $(oiiotool --dumpdata out.png | head -3)"
+    expect 0 render in.vdb $view --background 0.5 -o out.png --exposure 1
+    oiiotool --dumpdata out.png | grep -q 'Pixel (0, 0): 255 255 255' || fail "--exposure does nothing"
+    rm -f out.exr out.png
+}
+
+test_progress() {
+    expect 0 render in.vdb $view -o out.exr --progress alf
+    says '^ALF_PROGRESS 100%$'
+    expect 0 render in.vdb $view -o out.exr --progress openjd
+    says '^openjd_progress: 100$'
+    expect 0 render in.vdb $view -o out.exr --progress json
+    jq -es 'all(.tool == "render") and (.[-1].progress == 1)' stderr >/dev/null ||
+        fail "progress is no JSON, or does not end at 1"
+    expect 0 render in.vdb $view -o out.exr --quiet
+    [ ! -s stderr ] || fail "--quiet talks"
+    [ ! -s stdout ] || fail "it wrote to standard output"
+    rm out.exr
+}
+
+test_pipes_and_repeats() {
+    local threads
+    for threads in 1 2; do
+        expect 0 bash -c "LP_NUM_THREADS=$threads render - $view --aov all -o - <in.vdb >out$threads"
+    done
+    cmp -s out1 out2 || fail "two pictures through a pipe differ"
+    rm -f out*
+    for threads in 1 2 2; do
+        echo "threads=$threads" >options.toml
+        expect 0 render in.vdb $view --aov all -o out.exr --env env.exr --config options.toml
+        [ ! -e first.exr ] || cmp -s first.exr out.exr || fail "$threads threads give other bytes"
+        mv out.exr first.exr
+    done
+    rm -f first.exr
+}
+
+test_signal_leaves_nothing() {
+    local signal
+    for signal in TERM INT; do
+        dies_by $signal render in.vdb $aim --fov 10 --size 8000x8000 --step 0.01 -o out.exr --quiet
+    done
+}
+
+make_volume in.vdb size=16 voxel=0.1 ior sphere:0.5:1.5:1:all absorption sphere:0.5:1,2,3:0 ||
+    exit 2
+oiiotool --pattern constant:color=0.5,0.4,0.3 32x16 3 -d float -o env.exr || exit 2
+run_tests
