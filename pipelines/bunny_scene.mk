@@ -8,7 +8,7 @@ BUNNY := $(DATA)/bunny.off
 # shadow and caustics show in the air.
 BUNNY_VOLUME := --ior 1.4 --absorption 0.25,0.9,1.5 --medium-scattering 0.2 \
                 --bounds=-0.95,-1.0,-0.5,0.95,0.6,0.5 --resolution $(RESOLUTION)
-BUNNY_VIEW   := --eye 0.1,0.25,3.4 --target 0.02,-0.22,0 --fov 21 --tone filmic --exposure=0.2
+BUNNY_VIEW   := --eye 0.1,0.25,3.4 --target 0.02,-0.2,0 --fov 22.5 --tone filmic --exposure=0.2
 STUDIO       := $(OUT)/studio.exr
 
 # The 75,408-triangle Stanford bunny of Debian's CGAL demos. Slim images drop /usr/share/doc on

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::volume {
 
@@ -48,6 +49,58 @@ std::optional<std::string> fault(const GridRule* rule, float value) {
         return std::nullopt;
     const std::string found = finite ? toText(value) : std::isnan(value) ? "NaN" : "infinite";
     return "is " + found + ", expected " + (rule ? rule->wanted : "a finite number");
+}
+
+namespace {
+
+std::string voxelText(const glm::ivec3& voxel) {
+    return "(" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
+           std::to_string(voxel.z) + ")";
+}
+
+glm::ivec3 voxelAt(const DenseGrid& grid, std::int64_t value) {
+    const std::int64_t voxel = value / grid.components;
+    return {static_cast<int>(voxel % grid.size.x),
+            static_cast<int>(voxel / grid.size.x % grid.size.y),
+            static_cast<int>(voxel / grid.size.x / grid.size.y)};
+}
+
+/// The first value against the rule, as slice-parallel scan; -1 if there is none.
+std::int64_t firstFault(const GridRule* rule, const DenseGrid& grid) {
+    const size_t slice = static_cast<size_t>(grid.size.x) * grid.size.y * grid.components;
+    std::vector<std::int64_t> found(static_cast<size_t>(grid.size.z), -1);
+    tbb::parallel_for(0, grid.size.z, [&](int z) {
+        const float* values = grid.values.data() + slice * static_cast<size_t>(z);
+        const float least = rule ? rule->least : -std::numeric_limits<float>::max();
+        const float most = rule ? rule->most : std::numeric_limits<float>::max();
+        // The plain range is tested branch-free first; open ends are looked at only on a hit.
+        bool inside = true, onEnd = false;
+        for (size_t i = 0; i < slice; ++i) {
+            inside &= values[i] >= least && values[i] <= most;
+            onEnd |= values[i] == least || values[i] == most;
+        }
+        const bool open = rule && (rule->leastOpen || rule->mostOpen);
+        if (inside && !(open && onEnd)) return;
+        for (size_t i = 0; i < slice; ++i)
+            if (fault(rule, values[i])) {
+                found[static_cast<size_t>(z)] =
+                    static_cast<std::int64_t>(slice) * z + static_cast<std::int64_t>(i);
+                return;
+            }
+    });
+    for (std::int64_t at : found)
+        if (at >= 0) return at;
+    return -1;
+}
+
+} // namespace
+
+std::optional<std::string> findFault(const GridRule* rule, const DenseGrid& grid,
+                                     const glm::ivec3& origin) {
+    const std::int64_t at = firstFault(rule, grid);
+    if (at < 0) return std::nullopt;
+    return "voxel " + voxelText(voxelAt(grid, at) + origin) + " " +
+           *fault(rule, grid.values[static_cast<size_t>(at)]);
 }
 
 } // namespace eikonal::volume

@@ -23,4 +23,9 @@ const GridRule* ruleFor(const std::string& grid);
 /// What is wrong with `value` under the rule ("is -1, expected >= 0"), or nothing.
 std::optional<std::string> fault(const GridRule* rule, float value);
 
+/// The first value of the grid that breaks the rule, in words ("voxel (1, 2, 3) is NaN, expected
+/// > 0"), or nothing. `origin` is the index of the grid's first voxel.
+std::optional<std::string> findFault(const GridRule* rule, const DenseGrid& grid,
+                                     const glm::ivec3& origin);
+
 } // namespace eikonal::volume

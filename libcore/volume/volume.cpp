@@ -6,13 +6,13 @@
 #include "base/text.h"
 #include "volume/contract.h"
 #include "volume/level_set.h"
+#include "volume/vdb_frame.h"
 #include "volume/vdb_stream.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <iostream>
 #include <openvdb/io/File.h>
@@ -22,7 +22,6 @@
 #include <openvdb/tools/Dense.h>
 #include <openvdb/tools/Prune.h>
 #include <openvdb/tools/ValueTransformer.h>
-#include <tbb/parallel_for.h>
 
 namespace eikonal::volume {
 
@@ -51,100 +50,10 @@ openvdb::CoordBBox toBox(const IndexBox& box) {
     return {toCoord(box.min), toCoord(box.max)};
 }
 
-/// OpenVDB's matrices act on row vectors and are stored by rows, so the array read by columns is
-/// already the column-vector matrix.
-glm::dmat4 fromMat4(const openvdb::math::Mat4d& m) {
-    return glm::make_mat4(m.asPointer());
-}
-
-openvdb::math::Transform::Ptr toTransform(const Frame& frame) {
-    return openvdb::math::Transform::createLinearTransform(
-        openvdb::math::Mat4d(glm::value_ptr(frame.worldFromIndex)));
-}
-
-Frame toFrame(const openvdb::math::Transform& transform, const std::string& where) {
-    // Rotations make voxel edges uneven by rounding; anything beyond this is meant.
-    const double kTolerance = 1e-5;
-    if (!transform.isLinear())
-        throw DataError(where + ": its transform is not linear, expected uniform voxels");
-    Frame frame;
-    frame.worldFromIndex = fromMat4(transform.baseMap()->getAffineMap()->getMat4());
-    glm::dvec3 axes[3], lengths;
-    for (int i = 0; i < 3; ++i) {
-        axes[i] = glm::dvec3(frame.worldFromIndex[i]);
-        lengths[i] = glm::length(axes[i]);
-    }
-    frame.voxelSize = std::cbrt(lengths.x * lengths.y * lengths.z);
-    const double size = frame.voxelSize;
-    if (!(size > 0) || !std::isfinite(size))
-        throw DataError(where + ": its voxel size is " + toText(size) + ", expected above 0");
-    for (int i = 0; i < 3; ++i)
-        if (std::abs(lengths[i] / size - 1) > kTolerance ||
-            std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > kTolerance * size * size)
-            throw DataError(where + ": its voxels are " + toText(lengths.x) + " x " +
-                            toText(lengths.y) + " x " + toText(lengths.z) +
-                            " units or skewed, expected cubes");
-    return frame;
-}
-
-bool nearlyEqual(const Frame& a, const Frame& b) {
-    const double kTolerance = 1e-6; // files carry doubles; some writers go through float
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 3; ++row) {
-            const double scale =
-                column == 3 ? std::max(std::abs(a.worldFromIndex[column][row]), a.voxelSize)
-                            : a.voxelSize;
-            if (std::abs(a.worldFromIndex[column][row] - b.worldFromIndex[column][row]) >
-                kTolerance * scale)
-                return false;
-        }
-    return true;
-}
-
 GridType typeOf(const GridBase& grid) {
     if (grid.isType<FloatGrid>()) return GridType::scalar;
     if (grid.isType<Vec3SGrid>()) return GridType::vector;
     return GridType::other;
-}
-
-std::string voxelText(const glm::ivec3& voxel) {
-    return "(" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
-           std::to_string(voxel.z) + ")";
-}
-
-/// The first value against the rule, as slice-parallel scan; -1 if there is none.
-std::int64_t firstFault(const GridRule* rule, const DenseGrid& grid) {
-    const size_t slice = static_cast<size_t>(grid.size.x) * grid.size.y * grid.components;
-    std::vector<std::int64_t> found(static_cast<size_t>(grid.size.z), -1);
-    tbb::parallel_for(0, grid.size.z, [&](int z) {
-        const float* values = grid.values.data() + slice * static_cast<size_t>(z);
-        const float least = rule ? rule->least : -std::numeric_limits<float>::max();
-        const float most = rule ? rule->most : std::numeric_limits<float>::max();
-        // The plain range is tested branch-free first; open ends are looked at only on a hit.
-        bool inside = true, onEnd = false;
-        for (size_t i = 0; i < slice; ++i) {
-            inside &= values[i] >= least && values[i] <= most;
-            onEnd |= values[i] == least || values[i] == most;
-        }
-        const bool open = rule && (rule->leastOpen || rule->mostOpen);
-        if (inside && !(open && onEnd)) return;
-        for (size_t i = 0; i < slice; ++i)
-            if (fault(rule, values[i])) {
-                found[static_cast<size_t>(z)] =
-                    static_cast<std::int64_t>(slice) * z + static_cast<std::int64_t>(i);
-                return;
-            }
-    });
-    for (std::int64_t at : found)
-        if (at >= 0) return at;
-    return -1;
-}
-
-glm::ivec3 voxelAt(const DenseGrid& grid, std::int64_t value) {
-    const std::int64_t voxel = value / grid.components;
-    return {static_cast<int>(voxel % grid.size.x),
-            static_cast<int>(voxel / grid.size.x % grid.size.y),
-            static_cast<int>(voxel / grid.size.x / grid.size.y)};
 }
 
 /// Copies a tree's values in the box, active or not, into a dense array.
@@ -438,21 +347,15 @@ DenseGrid Volume::dense(const std::string& grid, const IndexBox& box) const {
         copyOut(*openvdb::gridConstPtrCast<Vec3SGrid>(entry.grid), box, out);
     else
         copyOut(*openvdb::gridConstPtrCast<FloatGrid>(entry.grid), box, out);
-    const GridRule* rule = ruleFor(grid);
-    const std::int64_t at = firstFault(rule, out);
-    if (at >= 0)
-        throw DataError(mImpl->where(grid) + ": voxel " + voxelText(voxelAt(out, at) + box.min) +
-                        " " + *fault(rule, out.values[static_cast<size_t>(at)]));
+    if (const auto wrong = findFault(ruleFor(grid), out, box.min))
+        throw DataError(mImpl->where(grid) + ": " + *wrong);
     return out;
 }
 
 void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
                  const PutOptions& options) {
-    const std::int64_t at = firstFault(nullptr, values);
-    if (at >= 0)
-        throw InternalError("grid '" + grid + "': voxel " +
-                            voxelText(voxelAt(values, at) + box.min) + " " +
-                            *fault(nullptr, values.values[static_cast<size_t>(at)]));
+    if (const auto wrong = findFault(nullptr, values, box.min))
+        throw InternalError("grid '" + grid + "': " + *wrong);
     Impl::Entry* old = mImpl->find(grid);
     const GridType type = values.components == 3 ? GridType::vector : GridType::scalar;
     if (old && typeOf(*old->grid) != type) old = nullptr;

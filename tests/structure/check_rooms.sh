@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Holds every #include in libcore to libcore/rooms.txt, and vendors' headers to their one room.
-# Rerun: tests/structure/check_rooms.sh .
+# Rerun: bash tests/structure/check_rooms.sh .
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
 cd "${1:-.}/libcore" || exit 2
