@@ -40,8 +40,9 @@ test: packages
 # Ratios within one run, in a table and in out/bench.json.
 bench: packages
 	$(MAKE) all
-	@mkdir -p $(OUT)
-	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench
+	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
+	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench \
+	  --bunny data/bunny.off
 
 # docs/tools/*.md from --help.
 docs: all
@@ -49,7 +50,7 @@ docs: all
 
 # The test suite's golden pictures anew; look at them before committing.
 golden: all
-	tests/pipeline/update_golden.sh $(BUILD)/bin
+	bash tests/pipeline/update_golden.sh $(BUILD)
 
 format:
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i
