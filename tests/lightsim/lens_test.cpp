@@ -114,6 +114,28 @@ TEST(LightLens, APointLightsRaysAreBentToo) {
     EXPECT_LE(brightest.z, 14 + 16);
 }
 
+TEST(LightLens, AGradedRodFocusesAfterAQuarterOfAPeriod) {
+    // n² = n0² − a² r² inside the domain, whose face does not refract: parallel rays cross the axis
+    // at π/2 · n(r)/a, 31.4 voxels deep for those near it and 29 for those 8 voxels off.
+    TestVolume scene({17, 17, 48});
+    scene.index([](dvec3 p) {
+        const double x = p.x - 8.5, y = p.y - 8.5;
+        return std::sqrt(1.6 * 1.6 - 0.08 * 0.08 * (x * x + y * y));
+    });
+    for (const double side : {1.0, -1.0}) {
+        const Lit lit(scene.volume(), paramsOf({beam({0, 0, side})}, 1 << 14));
+        ivec3 brightest(0);
+        forEachVoxel(lit.plan.size, [&](ivec3 p) {
+            if (lit.fluence(p) > lit.fluence(brightest)) brightest = p;
+        });
+        EXPECT_EQ(brightest.x, 8);
+        EXPECT_EQ(brightest.y, 8);
+        const int depth = side > 0 ? brightest.z : 47 - brightest.z;
+        EXPECT_GE(depth, 28);
+        EXPECT_LE(depth, 31);
+    }
+}
+
 TEST(LightLens, OrbitsThatOverflowAVoxelAreRunAgain) {
     // In Maxwell's fish-eye rays run in circles. Those from a point inside come back to it again
     // and again, if their circle fits the box, until they are absorbed: the sums of the voxels
