@@ -26,7 +26,7 @@ struct TemporarySlot {
     std::atomic<bool> used{false};
     char path[4096] = {};
 };
-std::array<TemporarySlot, 16> temporaries;
+std::array<TemporarySlot, 64> temporaries;
 
 int claimSlot(const std::string& path) {
     for (size_t i = 0; i < temporaries.size(); ++i) {
@@ -80,8 +80,10 @@ private:
         const char* at = pbase();
         while (at < pptr() && mError == 0) {
             const ssize_t written = ::write(mDescriptor, at, static_cast<size_t>(pptr() - at));
-            if (written >= 0) at += written;
-            else if (errno != EINTR) mError = errno;
+            if (written >= 0)
+                at += written;
+            else if (errno != EINTR)
+                mError = errno;
         }
         setp(mBytes.data(), mBytes.data() + mBytes.size());
         return mError == 0;
@@ -126,14 +128,19 @@ struct AtomicFile::Impl {
         const std::string folder =
             whole.has_parent_path() ? whole.parent_path().string() + "/" : std::string();
         // The suffix stays last, since some writers choose the format by it.
-        std::string pattern = folder + "." + whole.stem().string() + ".XXXXXX" +
-                              whole.extension().string();
+        std::string pattern =
+            folder + "." + whole.stem().string() + ".XXXXXX" + whole.extension().string();
         const int suffix = static_cast<int>(whole.extension().string().size());
         descriptor = ::mkostemps(pattern.data(), suffix, O_CLOEXEC);
         if (descriptor < 0) throw CreateError(path + ": can't create: " + reason(errno));
         temporary = pattern;
         regular = true;
         slot = claimSlot(temporary);
+        if (slot < 0) {
+            ::unlink(temporary.c_str());
+            throw CreateError(path + ": more than " + std::to_string(temporaries.size()) +
+                              " outputs, or too long a path");
+        }
         // mkostemps makes files private; an output gets the mode that open() would have given it.
         struct stat existing {};
         mode_t mode = 0666;
@@ -181,8 +188,10 @@ AtomicFile::AtomicFile(const std::string& path, bool noClobber) : mImpl(new Impl
             const auto next = std::filesystem::read_symlink(file.target, ignored);
             file.target = (std::filesystem::path(file.target).parent_path() / next).string();
         }
-        if (exists && !std::filesystem::is_regular_file(status)) file.openInPlace();
-        else file.openTemporary();
+        if (exists && !std::filesystem::is_regular_file(status))
+            file.openInPlace();
+        else
+            file.openTemporary();
     }
     file.buffer = std::make_unique<DescriptorBuffer>(file.descriptor);
     file.stream = std::make_unique<std::ostream>(file.buffer.get());
@@ -214,13 +223,14 @@ void AtomicFile::finish() {
     Impl& file = *mImpl;
     if (!file.stream) return;
     file.stream->flush();
+    const std::string name = file.path == "-" ? "standard output" : file.path;
     const int written = file.buffer->error();
-    if (written != 0) throw IoError(file.path + ": write failed: " + reason(written));
-    if (!*file.stream) throw IoError(file.path + ": write failed");
+    if (written != 0) throw IoError(name + ": write failed: " + reason(written));
+    if (!*file.stream) throw IoError(name + ": write failed");
     file.stream.reset();
     const int closed = ::close(file.descriptor) == 0 ? 0 : errno;
     file.descriptor = -1;
-    if (closed != 0) throw IoError(file.path + ": write failed: " + reason(closed));
+    if (closed != 0) throw IoError(name + ": write failed: " + reason(closed));
 }
 
 void AtomicFile::commit() {
@@ -240,9 +250,12 @@ void AtomicFile::commit() {
 }
 
 void removeTemporariesOnSignals() {
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    // A signal that the caller had us ignore (nohup) stays ignored.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, onSignal) == SIG_IGN) std::signal(signal, SIG_IGN);
+    // A closed pipe or a file beyond the size limit then fails the write, which is reported.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool sameFile(const std::string& a, const std::string& b) {

@@ -42,8 +42,9 @@ private:
     std::unique_ptr<Impl> mImpl;
 };
 
-/// Makes SIGINT and SIGTERM remove every open temporary and then end the process by that signal
-/// (so a shell sees 128 + N), and SIGPIPE an ordinary write error. Called once, by main.
+/// Makes SIGINT, SIGTERM and SIGHUP remove every open temporary and then end the process by that
+/// signal (so a shell sees 128 + N), and SIGPIPE and SIGXFSZ ordinary write errors. Called once, by
+/// main.
 void removeTemporariesOnSignals();
 
 /// Whether both paths name the same existing file. "-" is no file.

@@ -76,6 +76,7 @@ bool decode(const char* path, PictureAllocator allocate, void* context, char* me
     const auto input = OIIO::ImageInput::open(path, &wanted);
     if (!input) return fail(OIIO::geterror(), message, messageSize);
     const OIIO::ImageSpec spec = input->spec();
+    if (spec.depth > 1) return fail("a volume, expected a picture", message, messageSize);
     if (spec.nchannels < 1 || spec.nchannels > 4)
         return fail(std::to_string(spec.nchannels) + " channels, expected 1 to 4", message,
                     messageSize);

@@ -32,6 +32,8 @@ using gpu::Texture;
 // no boundary to be through, few enough that those done do not hold up their neighbours for long.
 constexpr unsigned kStepsPerLaunch = 48;
 
+constexpr double kPi = 3.14159265358979323846;
+
 // Work items that sum up a batch's books: enough to fill a device, few enough to read back.
 constexpr int kAccounts = 1024;
 
@@ -212,6 +214,9 @@ void Simulation::traceLight(const Light& light, const Progress& progress) {
     const double total = light.rgb.x + light.rgb.y + light.rgb.z;
     if (total <= 0) return;
     mTracing.colour = vec4(light.rgb / total, 0);
+    if (light.kind == Light::Kind::point)
+        for (size_t c = 0; c < 3; ++c)
+            mStats.energy.emitted[c] += 4 * kPi * light.rgb[static_cast<int>(c)];
     // The plastic number's powers spread successive seeds evenly over a pixel.
     const dvec2 shift = glm::fract(static_cast<double>(mParams.seed) *
                                    dvec2(0.7548776662466927, 0.5698402909980532));
@@ -376,7 +381,9 @@ void Simulation::book(const Light& light, double power, const Books& born, const
         const double watts = light.rgb[c] * power;
         const auto i = static_cast<size_t>(c);
         const int channel = mPlan.colour ? c : 0;
-        energy.emitted[i] += born.remaining[channel] * watts;
+        // A point light shines all round; what it emits is booked once, in traceLight().
+        if (light.kind == Light::Kind::directional)
+            energy.emitted[i] += born.remaining[channel] * watts;
         energy.entered[i] += born.remaining[channel] * watts;
         energy.absorbed[i] += done.absorbed[channel] * watts;
         energy.scattered[i] += done.scattered[channel] * watts;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -50,11 +51,16 @@ Light parseLight(const std::string& spec) {
     return light;
 }
 
+std::int64_t photonCount(double number) {
+    const double kMostPhotons = 1099511627776.0; // 2^40: weeks of work on any device
+    require(number >= 1 && number <= kMostPhotons && number == std::floor(number), "--photons",
+            number, "a whole number from 1 to 2^40");
+    return static_cast<std::int64_t>(number);
+}
+
 void Params::check() const {
     if (lights.empty()) throw UsageError("--light: none given, expected at least one");
-    const double kMostPhotons = 1099511627776.0; // 2^40, the ledger's range
-    require(photons >= 1 && static_cast<double>(photons) <= kMostPhotons, "--photons",
-            static_cast<double>(photons), "1 to 2^40");
+    photonCount(static_cast<double>(photons));
     require(tolerance >= 0, "--tolerance", tolerance, "0 or more");
     require(secondTolerance >= tolerance, "--tolerance2", secondTolerance,
             "at least --tolerance (" + toText(tolerance) + ")");

@@ -18,6 +18,10 @@ struct Light {
 /// `directional:DX,DY,DZ[:R,G,B]` or `point:X,Y,Z[:R,G,B]`. Throws UsageError.
 Light parseLight(const std::string& spec);
 
+/// A number of photons as written by people (1e6). Throws UsageError if it is not whole, below 1 or
+/// above 2^40.
+std::int64_t photonCount(double number);
+
 enum class Output : unsigned { none = 0, fluence = 1, direction = 2, both = 3 };
 
 /// Three corners a triangle, outward, in the world [unit].

@@ -85,9 +85,10 @@ Bounds boundsInFace(const Window& window, const VoxelBox& box, double least) {
 
 /// Lays pixels of edge `pixel` over the bounds, one more than needed, so that a shift by part of a
 /// pixel still covers them.
-void layPixels(Window& window, const Bounds& bounds, double pixel, const dvec2& shift) {
+void layPixels(Window& window, const Bounds& bounds, const dvec2& pixel, const dvec2& shift) {
     const dvec2 extent(bounds.high - bounds.low);
-    window.pixels = glm::max(glm::ivec2(glm::ceil(extent / pixel)) + 1, glm::ivec2(1));
+    // Rounding must not add a row to extents that are a whole number of pixels.
+    window.pixels = glm::max(glm::ivec2(glm::ceil(extent / pixel - 1e-9)) + 1, glm::ivec2(1));
     window.extent = dvec2(window.pixels) * pixel;
     window.low = dvec2(bounds.low) - shift * pixel;
 }
@@ -100,7 +101,15 @@ std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target, s
     Bounds bounds;
     for (const dvec3& corner : cornersOf(target)) bounds.include(inView(window, corner));
     const dvec3 extent = bounds.high - bounds.low;
-    layPixels(window, bounds, std::sqrt(extent.x * extent.y / static_cast<double>(photons)), shift);
+    const double pixel = std::sqrt(extent.x * extent.y / static_cast<double>(photons));
+    // Along an axis of the voxels a whole number of photons crosses each of them: 10 and 11 by
+    // turns would show as bands.
+    const auto edgeAlong = [pixel](const dvec3& side) {
+        const dvec3 a = glm::abs(side);
+        const bool alongAxis = std::max({a.x, a.y, a.z}) > 1 - 1e-6;
+        return alongAxis && pixel < 1 ? 1 / std::round(1 / pixel) : pixel;
+    };
+    layPixels(window, bounds, {edgeAlong(window.right), edgeAlong(window.up)}, shift);
     // A margin keeps the box's own faces off the clipping planes.
     window.near = bounds.low.z - 1;
     window.far = bounds.high.z + 1;

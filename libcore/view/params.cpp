@@ -38,6 +38,10 @@ void Params::check() const {
                 camera.rows <= kMostPixels,
             "--size", std::to_string(camera.width) + "x" + std::to_string(camera.rows),
             "1 to 131072 pixels each way");
+    const double kFar = 1e18; // [unit]; squares stay finite
+    for (const glm::dvec3& point : {camera.eye, camera.target, camera.up})
+        require(std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= kFar,
+                "--eye, --target, --up", "a coordinate beyond 1e18", "numbers of less size");
     const glm::dvec3 along = camera.target - camera.eye;
     require(glm::length(along) > 0, "--target", "the eye itself", "another point");
     require(glm::length(camera.up) > 0, "--up", "no direction", "a vector that is not 0");
@@ -58,6 +62,9 @@ void Params::check() const {
     for (const std::string& name : aovs)
         require(std::count(allAovs().begin(), allAovs().end(), name) == 1, "--aov",
                 "'" + name + "'", "one of " + join(allAovs(), ", "));
+    for (const std::string& name : aovs)
+        require(std::count(aovs.begin(), aovs.end(), name) == 1, "--aov", "'" + name + "' twice",
+                "each name once");
 }
 
 } // namespace eikonal::view

@@ -12,17 +12,14 @@
 
 namespace eikonal::volume {
 
-namespace {
-
-/// OpenVDB's matrices act on row vectors and are stored by rows, so the array read by columns is
-/// already the column-vector matrix.
-glm::dmat4 fromMat4(const openvdb::math::Mat4d& m) {
-    return glm::make_mat4(m.asPointer());
-}
-
-} // namespace
-
 openvdb::math::Transform::Ptr toTransform(const Frame& frame) {
+    // OpenVDB's maps refuse a determinant below 3e-15.
+    if (frame.voxelSize < kLeastVoxelSize)
+        throw DataError("voxels of " + toText(frame.voxelSize) +
+                        " units: OpenVDB holds none below " + toText(kLeastVoxelSize) +
+                        "; expected a scene in a smaller unit");
+    // OpenVDB's matrices act on row vectors and are stored by rows: the column-vector matrix as it
+    // stands.
     return openvdb::math::Transform::createLinearTransform(
         openvdb::math::Mat4d(glm::value_ptr(frame.worldFromIndex)));
 }
@@ -33,7 +30,9 @@ Frame toFrame(const openvdb::math::Transform& transform, const std::string& wher
     if (!transform.isLinear())
         throw DataError(where + ": its transform is not linear, expected uniform voxels");
     Frame frame;
-    frame.worldFromIndex = fromMat4(transform.baseMap()->getAffineMap()->getMat4());
+    // The transpose of a matrix on row vectors, stored by rows, read by columns: as it stands.
+    frame.worldFromIndex =
+        glm::make_mat4(transform.baseMap()->getAffineMap()->getMat4().asPointer());
     glm::dvec3 axes[3], lengths;
     for (int i = 0; i < 3; ++i) {
         axes[i] = glm::dvec3(frame.worldFromIndex[i]);

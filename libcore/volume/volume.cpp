@@ -155,6 +155,12 @@ struct Volume::Impl {
         return nullptr;
     }
 
+    std::string foundNames() const {
+        std::vector<std::string> found;
+        for (const Entry& entry : entries) found.push_back(entry.grid->getName());
+        return join(found, ", ");
+    }
+
     std::string where(const std::string& grid) const {
         return path + ": grid '" + nameInFile(grid) + "'";
     }
@@ -216,7 +222,15 @@ struct Volume::Impl {
                 throw DataError(name + " is on another transform than grid '" +
                                 entries[0].grid->getName() + "', expected one for all");
             domain.include(entry.active);
+            for (const Entry& other : entries)
+                if (&other != &entry && ruleFor(entry.grid->getName()) &&
+                    other.grid->getName() == entry.grid->getName())
+                    throw DataError(name + " is there twice, expected one");
         }
+        for (const auto& [contractName, fileName] : names)
+            if (!find(contractName))
+                throw DataError(path + ": no grid '" + fileName + "' (found: " + foundNames() +
+                                "), asked for as '" + contractName + "'");
         if (domain.empty()) throw DataError(path + ": has no active voxel");
         // Of statistics gone wrong. The bound keeps the number of voxels within 64 bits.
         const glm::dvec3 size = glm::dvec3(domain.max) - glm::dvec3(domain.min) + 1.0;
@@ -302,10 +316,8 @@ bool Volume::has(const std::string& grid) const {
 
 void Volume::require(const std::string& grid) const {
     if (has(grid)) return;
-    std::vector<std::string> found;
-    for (const GridFacts& facts : grids()) found.push_back(facts.name);
     throw DataError(mImpl->path + ": no grid '" + mImpl->nameInFile(grid) +
-                    "' (found: " + join(found, ", ") + ")");
+                    "' (found: " + mImpl->foundNames() + ")");
 }
 
 glm::vec3 Volume::background(const std::string& grid, const glm::vec3& absent) const {

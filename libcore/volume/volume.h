@@ -25,6 +25,9 @@ struct IndexBox {
     bool operator==(const IndexBox&) const = default;
 };
 
+/// OpenVDB holds no smaller voxels [unit].
+constexpr double kLeastVoxelSize = 1.5e-5;
+
 /// Where voxel indices lie in the world: uniform voxels, any rotation and translation.
 struct Frame {
     glm::dmat4 worldFromIndex{1.0};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/triangle_mesh.h"
+#include "volume/volume.h"
 
 #include <cstdint>
 #include <optional>
@@ -50,8 +51,8 @@ struct Params {
 // One texel either side is left of the 2048 that every OpenGL 4.5 device has along a 3-D texture.
 constexpr int kLongestEdge = 2046;
 
-// Voxel sizes [unit] that the stages behind can square and cube in floats.
-constexpr double kSmallestVoxel = 1e-12, kLargestVoxel = 1e12;
+// Voxel sizes [unit] that files can hold, and later stages square and cube in floats.
+constexpr double kSmallestVoxel = volume::kLeastVoxelSize, kLargestVoxel = 1e12;
 
 /// The message of forObject().
 [[noreturn]] void refuseCount(const std::string& option, size_t given, size_t count);

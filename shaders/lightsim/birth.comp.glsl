@@ -45,9 +45,12 @@ void main() {
     float weight = 1.0;
     if (params.weight.x == 1.0) {
         direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
-        // The solid angle of a pixel falls off as cos³ of the angle from the view's axis.
+        // The solid angle of a pixel falls off as f = cos³ of the angle from the view's axis; over the
+        // pixel that is averaged to fourth order, by its second derivatives at the centre.
         float q = 1.0 / (1.0 + dot(at, at));
-        weight = q * sqrt(q);
+        vec2 edge = params.window.zw / vec2(params.map.xy);
+        vec2 bend = 15.0 * at * at * q * q - 3.0 * q; // f''/f along both edges
+        weight = q * sqrt(q) * (1.0 + dot(edge * edge, bend) / 24.0);
     }
     vec3 x = startsAtLight ? params.origin.xyz : met.xyz;
     if (any(lessThan(x, params.low.xyz)) || any(greaterThan(x, params.high.xyz))) {

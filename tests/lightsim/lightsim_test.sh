@@ -50,6 +50,10 @@ test_output_is_input() {
     cmp -s in.vdb out.vdb || fail "the input was changed through a link"
     expect 64 lightsim out.vdb $sun $few -o other.vdb --stats out.vdb
     [ ! -e other.vdb ] || fail "other.vdb was written"
+    expect 64 lightsim out.vdb $sun $few -o other.vdb --dump-octree out.vdb
+    cmp -s in.vdb out.vdb || fail "the input was changed by --dump-octree"
+    expect 64 lightsim in.vdb $sun $few -o other.vdb --dump-octree other.vdb
+    [ ! -e other.vdb ] || fail "other.vdb was written"
     rm -f out.vdb link.vdb other.vdb
 }
 
@@ -101,12 +105,8 @@ anisotropy constant:-1 x
 END
     # A NaN among the bytes of an otherwise good grid: 7.5, stored once, becomes one.
     make_volume bad.vdb size=4 scattering delta:1,2,3:7.5,1,1 || fail "make_volume"
-    python3 - <<'END'
-import struct
-data = open("bad.vdb", "rb").read()
-nan = struct.pack("<f", float("nan"))
-open("nan.vdb", "wb").write(data.replace(struct.pack("<f", 7.5), nan))
-END
+    # 7.5 is the bytes 00 00 F0 40, a NaN 00 00 C0 7F.
+    LC_ALL=C sed 's/\x00\x00\xF0\x40/\x00\x00\xC0\x7F/g' bad.vdb >nan.vdb
     cmp -s bad.vdb nan.vdb && fail "the test found no value to spoil"
     refuses 65 nan.vdb $sun $few -o out.vdb
     says "'scattering'"

@@ -13,13 +13,14 @@ namespace eikonal::lightsim {
 
 /// What comes in must go out: entered = absorbed + scattered + escaped + lost, per channel. The
 /// books are sums of floats of up to 2^20 photons, 2^10 to a sum, each rounded at every step to
-/// 6e-8: 1e-4 leaves room for a thousand roundings the same way.
+/// 6e-8: 1e-4 leaves room for a thousand roundings the same way. Nothing enters that was not
+/// emitted; as much room, since a point light's pixels cover 4π to fourth order in their size.
 inline void expectClosed(const Energy& energy) {
     for (size_t c = 0; c < 3; ++c) {
         const double sum =
             energy.absorbed[c] + energy.scattered[c] + energy.escaped[c] + energy.lost[c];
         EXPECT_NEAR(sum, energy.entered[c], 1e-4 * energy.entered[c]) << "channel " << c;
-        EXPECT_LE(energy.entered[c], energy.emitted[c] * (1 + 1e-12)) << "channel " << c;
+        EXPECT_LE(energy.entered[c], energy.emitted[c] * (1 + 1e-4)) << "channel " << c;
     }
 }
 

@@ -59,11 +59,8 @@ holds() { jq -e "$2" "$1" >/dev/null || fail "$1: not so: $2"; }
 dies_by() {
     local signal=$1 process status
     shift
-    # Through Python, since bash makes background jobs ignore SIGINT for good.
-    python3 -c '
-import os, signal, sys
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-os.execvp(sys.argv[1], sys.argv[1:])' "$@" 2>/dev/null &
+    # Through env, since bash makes background jobs ignore SIGINT for good.
+    env --default-signal=INT "$@" 2>/dev/null &
     process=$!
     for _ in $(seq 500); do
         [ -n "$(find . -name '.out*')" ] && break

@@ -53,6 +53,18 @@ test_bad_usage() {
         says "${value%%=*}"
     done
     refuses 64 in.vdb $view -o out.exr --env env.exr --background 1
+    refuses 64 in.vdb $view -o out.exr --aov Z,Z
+    refuses 64 in.vdb $view -o out.exr --exposure nan
+    refuses 64 in.vdb $view -o out.tif
+    says '.tga'
+    refuses 71 in.vdb $aim --fov 30 --size 100000x100000 -o out.exr
+    printf 'stepp=2\n' >typo.ini
+    refuses 64 in.vdb $view -o out.exr --config typo.ini
+    says 'stepp'
+    refuses 65 in.vdb $view -o out.exr --grid-ior typo
+    says "no grid 'typo'"
+    # A volume is no picture, whatever reads it.
+    refuses 65 in.vdb $view -o out.exr --env in.vdb
     refuses 64 in.vdb $view -o out.exr -o out.exr
     refuses 64 - - $view -o out.exr
 }
@@ -67,6 +79,8 @@ test_output_is_input() {
     expect 64 render in.vdb $view --env out.exr -o out.exr
     cmp -s env.exr out.exr || fail "the environment was changed"
     rm -f out.vdb out.exr
+    refuses 64 in.vdb $view -o out.exr -o ./out.exr
+    refuses 64 in.vdb $view -o - --stats -
     [ ! -e other.exr ] || fail "other.exr was written"
 }
 

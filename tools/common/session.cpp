@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -24,6 +25,12 @@ double nowMs() {
     return std::chrono::duration<double, std::milli>(
                std::chrono::steady_clock::now().time_since_epoch())
         .count();
+}
+
+/// Two names of one file, there or not yet, give the same path.
+std::filesystem::path wholePath(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
 }
 
 std::string firstLine(const std::string& text) {
@@ -102,9 +109,12 @@ Session::Session(const std::string& name, const std::string& description)
         ->type_name("MODE")
         ->check(CLI::IsMember({"none", "text", "alf", "openjd", "json"}))
         ->group("Run");
-    mApp.set_config("--config", "", "read options by name from this file")
-        ->type_name("FILE")
-        ->group("Run");
+    mConfigOption =
+        mApp.set_config("--config", "",
+                        "read options by name from this file: lines of name=value, lists in quotes")
+            ->type_name("FILE")
+            ->group("Run");
+    mApp.allow_config_extras(CLI::config_extras_mode::error);
 }
 
 Session::~Session() = default;
@@ -174,19 +184,28 @@ void Session::explain(const std::vector<Effect>& effects, const std::vector<std:
     for (const std::string& warning : warnings) std::cout << "warning: " << warning << "\n";
 }
 
-void Session::guardInputs(const std::vector<std::string>& inputs) const {
+void Session::guardInputs(const std::vector<std::string>& inputs,
+                          const std::vector<std::string>& further) const {
     if (std::count(inputs.begin(), inputs.end(), "-") > 1)
         throw UsageError("standard input is given more than once");
+    std::vector<std::string> read = inputs;
+    if (mConfigOption->count() > 0) read.push_back(mConfigOption->as<std::string>());
     std::vector<std::string> written = mOutputPaths;
+    for (const std::string& path : further) written.push_back(path);
     written.push_back(mStatsPath);
-    for (const std::string& input : inputs)
-        for (const std::string& output : written)
-            if (!output.empty() && sameFile(input, output))
-                throw UsageError(output + ": is an input, which would be overwritten");
-    for (size_t i = 0; i < mOutputPaths.size(); ++i)
+    written.erase(std::remove(written.begin(), written.end(), ""), written.end());
+    for (size_t i = 0; i < written.size(); ++i) {
+        for (const std::string& input : read)
+            if (sameFile(input, written[i]))
+                throw UsageError(written[i] + ": is an input, which would be overwritten");
+        // Twice the same device is no loss.
+        std::error_code ignored;
+        const auto status = std::filesystem::status(written[i], ignored);
+        if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) continue;
         for (size_t j = 0; j < i; ++j)
-            if (mOutputPaths[i] == mOutputPaths[j])
-                throw UsageError(mOutputPaths[i] + ": is given twice as output");
+            if (wholePath(written[i]) == wholePath(written[j]))
+                throw UsageError(written[i] + ": is given twice as output");
+    }
 }
 
 std::vector<std::unique_ptr<AtomicFile>>& Session::outputs() {

@@ -45,8 +45,10 @@ public:
     void explain(const std::vector<Effect>& effects, const std::vector<std::string>& warnings,
                  const std::vector<std::pair<std::string, std::string>>& facts) const;
 
-    /// Refuses an output that is one of the inputs, or two inputs from standard input.
-    void guardInputs(const std::vector<std::string>& inputs) const;
+    /// Refuses an output that is one of the inputs, an output given twice, or two inputs from
+    /// standard input. `further` are outputs beside -o; empty names count as not given.
+    void guardInputs(const std::vector<std::string>& inputs,
+                     const std::vector<std::string>& further = {}) const;
     /// The outputs, created on the first call; in the order of -o.
     std::vector<std::unique_ptr<AtomicFile>>& outputs();
     const std::vector<std::string>& outputPaths() const { return mOutputPaths; }
@@ -73,6 +75,7 @@ private:
     std::string mName;
     CLI::App mApp;
     CLI::Option* mOutputOption = nullptr;
+    CLI::Option* mConfigOption = nullptr;
     std::vector<std::string> mArguments;
     std::vector<std::string> mOutputPaths;
     std::string mStatsPath, mDeviceName = "auto", mProgressMode;

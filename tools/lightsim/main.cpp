@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "common/session.h"
 #include "lightsim/lightsim.h"
+#include "mesh/check.h"
 #include "mesh/read.h"
 
 using namespace eikonal;
@@ -36,9 +37,11 @@ void addOptions(CLI::App& app, Options& o) {
                    "fluence,light_direction")
         ->type_name("LIST")
         ->capture_default_str();
-    app.add_option("--photons", p.photons, "pixels of each light's photon map")
+    app.add_option_function<double>(
+           "--photons", [&p](double n) { p.photons = lightsim::photonCount(n); },
+           "pixels of each light's photon map")
         ->type_name("N")
-        ->capture_default_str();
+        ->default_str(std::to_string(p.photons));
     app.add_option("--tolerance", p.tolerance, "index range within which a leaf is constant")
         ->type_name("E")
         ->capture_default_str();
@@ -86,8 +89,18 @@ lightsim::Output parseOutputs(const std::string& list) {
     return static_cast<lightsim::Output>(outputs);
 }
 
-lightsim::Triangles readProxy(const std::string& path) {
+/// The proxy's triangles. Photons start where light first meets it, so it must be closed and
+/// outward, and no light may be inside.
+lightsim::Triangles readProxy(const std::string& path, const lightsim::Params& params) {
     const mesh::TriangleMesh mesh = mesh::readMesh(path);
+    const mesh::MeshReport report = mesh::checkTopology(mesh);
+    if (!report.boundsVolume())
+        throw DataError(path + ": " + join(report.sentences(), "; ") +
+                        "; expected a closed surface that looks outward");
+    for (const lightsim::Light& light : params.lights)
+        if (light.kind == lightsim::Light::Kind::point &&
+            mesh::windingNumber(mesh, light.vector) > 0.5)
+            throw UsageError("--proxy: a point light is inside " + path + ", expected outside");
     lightsim::Triangles corners;
     for (const glm::uvec3& triangle : mesh.triangles)
         for (int i = 0; i < 3; ++i) corners.push_back(mesh.points[triangle[i]]);
@@ -110,9 +123,11 @@ void simulate(tool::Session& session, Options& o) {
     o.params.automaticOutputs = o.outputs == "auto";
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
     o.params.seed = session.seed();
+    if (session.app().count("--tolerance2") == 0)
+        o.params.secondTolerance = std::max(o.params.secondTolerance, o.params.tolerance);
     o.params.check();
-    session.guardInputs({o.input});
-    if (!o.proxy.empty()) o.params.proxy = readProxy(o.proxy);
+    session.guardInputs({o.input, o.proxy}, {o.octree});
+    if (!o.proxy.empty()) o.params.proxy = readProxy(o.proxy, o.params);
 
     std::optional<volume::Volume> volume;
     std::optional<lightsim::Plan> plan;

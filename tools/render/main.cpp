@@ -7,6 +7,10 @@
 #include "image/picture.h"
 #include "view/view.h"
 
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
 using namespace eikonal;
 
 namespace {
@@ -108,6 +112,9 @@ void parseTexts(Options& o) {
         o.params.aovs = split(o.aovs, ',');
     o.params.integrator =
         o.integrator == "euler" ? view::Integrator::euler : view::Integrator::verlet;
+    if (!(std::abs(o.toneMap.exposure) <= 100))
+        throw UsageError("--exposure: found " + toText(o.toneMap.exposure) +
+                         ", expected -100 to 100 stops");
     o.toneMap.curve = o.tone == "filmic" ? image::ToneCurve::filmic : image::ToneCurve::clip;
 }
 
@@ -127,6 +134,21 @@ void writePictures(tool::Session& session, const Options& o, const view::Scene& 
     }
 }
 
+/// A name that promises a format we don't write is refused; devices and FIFOs get EXR.
+void checkOutput(const std::string& path) {
+    if (image::isDisplayPicture(path)) return image::requirePictureModule();
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    const bool inPlace =
+        std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (path != "-" && !inPlace && extension != ".exr")
+        throw UsageError("--output: found '" + path +
+                         "', expected a name ending in .exr, .png, "
+                         ".jpg or .tga");
+}
+
 void render(tool::Session& session, Options& o) {
     parseTexts(o);
     if (session.app().count("--fov") + session.app().count("--ortho") != 1)
@@ -136,8 +158,10 @@ void render(tool::Session& session, Options& o) {
     std::vector<std::string> inputs = o.inputs;
     if (!o.environment.empty()) inputs.push_back(o.environment);
     session.guardInputs(inputs);
-    for (const std::string& path : session.outputPaths())
-        if (image::isDisplayPicture(path)) image::requirePictureModule();
+    for (const std::string& path : session.outputPaths()) checkOutput(path);
+    // Colour, the rays' paths and every AOV are held until the picture is whole.
+    const size_t kFloats = 4 + 16 + 24;
+    image::checkSize(o.params.camera.width, o.params.camera.rows, kFloats, "--size " + o.size);
 
     std::optional<view::Scene> scene;
     std::optional<view::Plan> plan;
