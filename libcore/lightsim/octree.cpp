@@ -76,20 +76,17 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
     OctreeParams values{};
     values.size = ivec4(plan.size, top);
     values.limits = vec4(params.tolerance, params.secondTolerance, params.stepLimit, 0);
-    const auto source = [&](int from) {
-        return gpu::Program(
-            device, "lightsim/pyramid.comp.glsl",
-            {{"SOURCE", from}, {"INDEX", plan.bends}, {"EXTINCTION", !extinction.empty()}});
-    };
-    const gpu::Program programs[3] = {source(0), source(1), source(2)};
+    const gpu::Program pass(device, "lightsim/pyramid.comp.glsl",
+                            {{"INDEX", plan.bends}, {"EXTINCTION", !extinction.empty()}});
     gpu::Buffer block(device, sizeof values);
     block.bindUniform(0);
     for (int level = 0; level <= top; ++level) {
         values.nodes = ivec4(ivec3(levels[static_cast<size_t>(level)]), level);
         values.source = levels[static_cast<size_t>(std::max(level - 1, 0))];
-        values.target.x = levels[static_cast<size_t>(level)].w;
+        const int source = std::min(level, 2);
+        values.target = ivec4(levels[static_cast<size_t>(level)].w, source, source == 1 ? 3 : 2, 0);
         block.upload(&values, sizeof values);
-        programs[std::min(level, 2)].dispatch(ivec3(values.nodes));
+        pass.dispatch(ivec3(values.nodes));
         gpu::barrier();
     }
     const gpu::Program label(device, "lightsim/leaves.comp.glsl", {});

@@ -67,7 +67,7 @@ gpu::Need fieldNeed(ivec3 size) {
 gpu::Texture makeField(gpu::Device& device, const volume::DenseGrid& index) {
     gpu::Texture field(device, index.size + 2, gpu::TexelFormat::rgba32f, gpu::Filter::linear);
     const gpu::Program program(device, "medium/field.comp.glsl", {});
-    const MediumParams values{ivec4(index.size, 0)};
+    const MediumParams values{ivec4(index.size, 3)};
     const gpu::Buffer params(device, sizeof values, &values);
     const gpu::Buffer source(device, static_cast<std::int64_t>(index.values.size() * sizeof(float)),
                              index.values.data());

@@ -1,15 +1,15 @@
 // One level of the min–max pyramid of index and extinction (Sun et al. 2008, §4.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Level k has nodes of 2^k voxels. SOURCE 0: level 1 from the voxels. SOURCE 1: level 1 again, each
+// Level k has nodes of 2^k voxels. Source 0: level 1 from the voxels. Source 1: level 1 again, each
 // node widened by its 26 neighbours, since the field within a node depends on samples up to two
-// voxels beyond its faces (trilinear look-ups of central differences). SOURCE 2: level k from k − 1.
+// voxels beyond its faces (trilinear look-ups of central differences). Source 2: level k from k − 1. One program serves all,
+// and its loops run to a count that the compiler does not know: it is compiled on every run.
 #include "shared/lightsim_params.h"
 
-#if !defined(SOURCE) || !defined(INDEX) || !defined(EXTINCTION)
-#error SOURCE must be 0, 1 or 2, INDEX and EXTINCTION 0 or 1
+#if !defined(INDEX) || !defined(EXTINCTION)
+#error INDEX and EXTINCTION must be 0 or 1
 #endif
-const int kSource = SOURCE;
 const bool kIndex = INDEX == 1;           // the index varies
 const bool kExtinction = EXTINCTION == 1; // the extinction varies
 
@@ -24,7 +24,7 @@ vec4 joined(vec4 a, vec4 b) {
 }
 
 vec4 sourceAt(ivec3 p) {
-    if (kSource == 0) {
+    if (params.target.y == 0) {
         // Beyond the volume the nearest voxel answers: it adds nothing to the range.
         ivec3 v = min(p, params.size.xyz - 1);
         int at = (v.z * params.size.y + v.y) * params.size.x + v.x;
@@ -39,9 +39,10 @@ vec4 sourceAt(ivec3 p) {
 void main() {
     ivec3 node = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(node, params.nodes.xyz))) return;
-    ivec3 first = kSource == 1 ? node - 1 : 2 * node;
-    int edge = kSource == 1 ? 3 : 2;
-    vec4 result = sourceAt(kSource == 1 ? node : first);
+    bool widens = params.target.y == 1;
+    ivec3 first = widens ? node - 1 : 2 * node;
+    int edge = params.target.z;
+    vec4 result = sourceAt(widens ? node : first);
     for (int z = 0; z < edge; ++z)
         for (int y = 0; y < edge; ++y)
             for (int x = 0; x < edge; ++x) result = joined(result, sourceAt(first + ivec3(x, y, z)));
