@@ -37,6 +37,8 @@ void writeObj(const eikonal::mesh::TriangleMesh& mesh, const std::string& path);
 Json measureKernels(const Settings& settings);
 /// Fixed cost of every stage on 32³, and the share of reading and writing at 128³.
 Json measureStages(const Settings& settings);
+/// Steps and error of the fluence under the octree's options, at 64³.
+Json measureSteps(const Settings& settings);
 /// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.
 Json measureTables(const Settings& settings);
 

@@ -58,8 +58,9 @@ double bareMarch(gpu::Device& device, const gpu::Texture& field) {
 
 /// Adds per second of bare atomics: a million items walk a column of 128 voxels each, eight
 /// neighbours on neighbouring words, over as many voxels as the photon pass deposits in.
-double bareAtomics(gpu::Device& device, bool floats) {
-    const std::int64_t voxels = std::int64_t{kVoxels} * kVoxels * kVoxels;
+/// Or, `cached`, over 2^14 words that stay in the cache.
+double bareAtomics(gpu::Device& device, bool floats, bool cached = false) {
+    const std::int64_t voxels = cached ? 1 << 14 : std::int64_t{kVoxels} * kVoxels * kVoxels;
     const gpu::Program program(device, "bench/atomics.comp.glsl", {{"FLOATS", floats}});
     const glm::uvec4 values(1 << 20, kVoxels, static_cast<unsigned>(voxels - 1), kVoxels * kVoxels);
     const gpu::Buffer params(device, sizeof values, &values);
@@ -96,7 +97,8 @@ Json measureKernels(const Settings& settings) {
     light.lights.push_back(lightsim::parseLight("directional:0.2,-1,0.1"));
     const lightsim::Plan lightPlan = lightsim::makePlan(hazy, light);
 
-    std::vector<double> march, view, viewRatio, atomics, floatAtomics, photons, photonRatio, frame;
+    std::vector<double> march, view, viewRatio, atomics, floatAtomics, cachedAtomics, photons,
+        photonRatio, frame;
     for (int i = 0; i <= settings.repeats; ++i) {
         Stats seen, lit;
         march.push_back(bareMarch(device, field));
@@ -107,14 +109,15 @@ Json measureKernels(const Settings& settings) {
         lightsim::simulate(device, hazy, lightPlan, light, lit, {});
         photons.push_back(1e3 * counter(lit, "deposits") / passMs(lit, "photons"));
         photonRatio.push_back(photons.back() / atomics.back());
+        cachedAtomics.push_back(bareAtomics(device, false, true));
         if (device.info().software) floatAtomics.push_back(bareAtomics(device, true));
         double total = passMs(seen, "view");
         for (const char* pass : {"photon birth", "photons", "resolve", "smooth"})
             total += passMs(lit, pass);
         frame.push_back(total);
         if (i > 0) continue; // the first round warms up
-        for (auto* values :
-             {&march, &view, &viewRatio, &atomics, &floatAtomics, &photons, &photonRatio, &frame})
+        for (auto* values : {&march, &view, &viewRatio, &atomics, &floatAtomics, &cachedAtomics,
+                             &photons, &photonRatio, &frame})
             values->clear();
     }
     return {{"device", device.info().renderer},
@@ -123,6 +126,7 @@ Json measureKernels(const Settings& settings) {
             {"view_to_bare", median(viewRatio)},
             {"bare_atomics_per_s", median(atomics)},
             {"bare_float_atomics_per_s", median(floatAtomics)},
+            {"bare_cached_atomics_per_s", median(cachedAtomics)},
             {"photon_deposits_per_s", median(photons)},
             {"photons_to_bare", median(photonRatio)},
             {"relight_and_view_gpu_ms", median(frame)},
