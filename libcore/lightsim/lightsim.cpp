@@ -60,10 +60,11 @@ Light toVoxels(const Light& light, const glm::dmat4& voxelFromWorld) {
 
 /// The largest fixed-point unit, a power of two, with which every photon of a batch may cross one
 /// voxel from corner to corner and still leave an eighth of the range free (kNearFull in
-/// shaders/lightsim/march.comp.glsl).
+/// shaders/lightsim/march.comp.glsl). Not above 2^24, the digits of a float: a deposit then fits an
+/// int, too.
 double unitFor(double photons) {
     const double kRange = 3758096384.0; // 0xE0000000
-    return std::exp2(std::floor(std::log2(kRange / (std::sqrt(3.0) * photons))));
+    return std::exp2(std::min(24.0, std::floor(std::log2(kRange / (std::sqrt(3.0) * photons)))));
 }
 
 /// One simulation: what is on the device for its duration, and the loop over lights and batches.

@@ -29,6 +29,26 @@ float indexAt(vec3 x) {
 #endif
 }
 
+// The integral of the solid angle from the view's axis to tangents (u, v), a quarter of a pyramid's.
+float cornerAngle(float u, float v) {
+    return atan(u * v, sqrt(1.0 + u * u + v * v));
+}
+
+// The solid angle of a pixel at tangents `at`, over that of one straight ahead of no size. It falls off
+// as f = cos³ of the angle from the view's axis. A small pixel averages f to fourth order by its
+// second derivatives; a large one takes the exact difference, which would cancel for a small one.
+float solidAngleOf(vec2 at, vec2 edge) {
+    if (max(edge.x, edge.y) > 0.1) {
+        vec2 a = at - 0.5 * edge;
+        vec2 b = at + 0.5 * edge;
+        return (cornerAngle(b.x, b.y) - cornerAngle(a.x, b.y) - cornerAngle(b.x, a.y) +
+                cornerAngle(a.x, a.y)) / (edge.x * edge.y);
+    }
+    float q = 1.0 / (1.0 + dot(at, at));
+    vec2 bend = 15.0 * at * at * q * q - 3.0 * q; // f''/f along both edges
+    return q * sqrt(q) * (1.0 + dot(edge * edge, bend) / 24.0);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.map.xy))) return;
@@ -45,12 +65,7 @@ void main() {
     float weight = 1.0;
     if (params.weight.x == 1.0) {
         direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
-        // The solid angle of a pixel falls off as f = cos³ of the angle from the view's axis; over the
-        // pixel that is averaged to fourth order, by its second derivatives at the centre.
-        float q = 1.0 / (1.0 + dot(at, at));
-        vec2 edge = params.window.zw / vec2(params.map.xy);
-        vec2 bend = 15.0 * at * at * q * q - 3.0 * q; // f''/f along both edges
-        weight = q * sqrt(q) * (1.0 + dot(edge * edge, bend) / 24.0);
+        weight = solidAngleOf(at, params.window.zw / vec2(params.map.xy));
     }
     vec3 x = startsAtLight ? params.origin.xyz : met.xyz;
     if (any(lessThan(x, params.low.xyz)) || any(greaterThan(x, params.high.xyz))) {

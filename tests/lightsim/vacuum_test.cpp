@@ -129,7 +129,8 @@ TEST(LightVacuum, APointLightOutsideFallsOffWithTheSquare) {
 TEST(LightVacuum, APointLightInsideSendsAllItHas) {
     const dvec3 place(5.3, 9.1, 7.7);
     const Lit lit(emptiness({16, 16, 20}).volume(), paramsOf({lamp(place)}, 1 << 16));
-    // Six faces of 105 pixels an edge, each pixel's solid angle to fourth order: 105^-4, and floats.
+    // Six faces of 105 pixels an edge, each pixel's solid angle to fourth order: 105^-4, and
+    // floats.
     EXPECT_NEAR(lit.stats.energy.entered[0], 4 * kPi, 1e-5 * 4 * kPi);
     double worst = 0, mean = 0, count = 0;
     forEachVoxel(lit.plan.size, [&](ivec3 p) {
@@ -148,6 +149,20 @@ TEST(LightVacuum, APointLightInsideSendsAllItHas) {
     EXPECT_LT(worst, 0.4);
     // From r = 3 on, 1/(12 r²) of variation within a voxel.
     EXPECT_NEAR(mean / count, 1, 0.01);
+}
+
+TEST(LightVacuum, AFewPhotonsCarryAllTheLight) {
+    // From one photon a face of the light's cube on: a pixel of 90° has its exact solid angle, and
+    // its deposits, the largest there are, must fit the fixed point.
+    for (const std::int64_t photons : {6, 24, 600, 20000}) {
+        const Lit lit(emptiness({15, 15, 15}).volume(), paramsOf({lamp(dvec3(7.5))}, photons));
+        EXPECT_NEAR(lit.stats.energy.entered[0], 4 * kPi, 1e-5 * 4 * kPi) << photons; // floats
+        double paths = 0;
+        forEachVoxel(lit.plan.size, [&](ivec3 p) { paths += lit.fluence(p); });
+        // Each travels from the centre to a face: between half the edge and half the diagonal.
+        EXPECT_GE(paths, 7.5 * 4 * kPi * (1 - 1e-4)) << photons; // fixed point and floats
+        EXPECT_LE(paths, 7.5 * std::sqrt(3.0) * 4 * kPi) << photons;
+    }
 }
 
 TEST(LightVacuum, OppositeLightsCancelInDirectionAndAddInFluence) {

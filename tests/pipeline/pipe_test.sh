@@ -37,7 +37,10 @@ agrees() { # PICTURE GOLDEN
 
 differs() { # WHAT PICTURE GOLDEN
     : >stderr
+    [ -e "$2" ] || fail "$1: no picture to compare"
     same_as_golden "$2" "$3" && fail "$1 passes for golden/$3.exr"
+    # The next comparison must not find this picture if its own was not made.
+    rm -f "$2"
 }
 
 test_pipes_give_what_files_give() {
@@ -112,40 +115,6 @@ test_golden_is_strict() {
         differs "without ${without%|*}" wrong.exr glass
     done
     render b.vdb -o wrong.exr $right --quiet
-    differs "no light" wrong.exr glass
-    chain_opaque opaque.exr || fail "the opaque chain failed"
-    agrees opaque.exr opaque
-}
-
-test_golden_is_strict() {
-    local right=$glance beam=$light
-    chain_by_files glass.exr || fail "the chain failed"
-    # Other random numbers pass.
-    lightsim b.vdb -o c.vdb $light --seed 5 --quiet && render c.vdb -o seed.exr $glance --quiet
-    agrees seed.exr glass
-    # Whatever is wrong in a picture taken apart does not.
-    oiiotool glass.exr --flop -o flop.exr && differs "a mirrored picture" flop.exr glass
-    oiiotool glass.exr --flip -o flip.exr && differs "a picture upside down" flip.exr glass
-    oiiotool glass.exr --ch B,G,R,A --chnames R,G,B,A -o bgr.exr && differs "blue for red" bgr.exr glass
-    oiiotool glass.exr --mulc 1.1,1.1,1.1,1 -o bright.exr && differs "10 % more light" bright.exr glass
-    # Nor does a mirrored axis or the light's wrong sign anywhere on the way.
-    local wrong
-    for wrong in 1,-2,-0.7 -1,2,-0.7 -1,-2,0.7 1,2,0.7; do
-        lightsim b.vdb -o c.vdb ${beam/-1,-2,-0.7/$wrong} --quiet
-        render c.vdb -o wrong.exr $right --quiet
-        differs "light along $wrong" wrong.exr glass
-    done
-    lightsim b.vdb -o c.vdb $beam --quiet
-    for wrong in -2.2,3,7 4,-0.8,7 4,3,-6; do
-        render c.vdb -o wrong.exr ${right/4,3,7/$wrong} --quiet
-        differs "an eye at $wrong" wrong.exr glass
-    done
-    # Without bending, without a phase function, without light.
-    render c.vdb -o wrong.exr $right --quiet --grid-ior none 2>/dev/null
-    differs "an index of 1" wrong.exr glass
-    render c.vdb -o wrong.exr $right --quiet --grid-anisotropy none
-    differs "isotropic scattering" wrong.exr glass
-    render c.vdb -o wrong.exr $right --quiet --grid-fluence none
     differs "no light" wrong.exr glass
     chain_opaque opaque.exr || fail "the opaque chain failed"
     lightsim b.vdb -o c.vdb ${dim_light/-1,-2,-0.7/1,-2,-0.7} --quiet
