@@ -1,56 +1,8 @@
 #!/bin/bash
 # The manners of volsmooth: what it answers, with which status, and what it leaves behind.
 # SPDX-License-Identifier: GPL-3.0-or-later
-#
-# volsmooth_test.sh BUILD_FOLDER [NAME]: every test, or only the one named.
-set -u
-build=$(cd "$1" && pwd) || exit 2
-only=${2:-}
-PATH=$build/bin:$build/tests:$PATH
-here=$(cd "$(dirname "$0")" && pwd)/$(basename "$0")
-folder=$(mktemp -d) && cd "$folder" || exit 2
-trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# fail TEXT: notes a failure of the test that runs.
-fail() {
-    echo "FAILED $name: $1"
-    [ -s stderr ] && sed 's/^/    /' stderr
-    echo "    rerun: bash $here $build $name"
-    failures=$((failures + 1))
-}
-
-# expect STATUS COMMAND...: runs it and checks its exit status; standard output and error are kept
-# in the files stdout and stderr. A status from 64 on wants one line of error.
-expect() {
-    local wanted=$1
-    shift
-    "$@" >stdout 2>stderr
-    local found=$?
-    [ $found -eq "$wanted" ] || fail "'$*' gave $found, expected $wanted"
-    if [ "$wanted" -ge 64 ] && [ "$wanted" -lt 128 ]; then
-        [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*': $(wc -l <stderr) lines of error, expected 1"
-        grep -q '^volsmooth: error: ' stderr || fail "'$*': its error does not say who speaks"
-    fi
-}
-
-# nothing_left: no output, and no temporary of one.
-nothing_left() {
-    local left
-    left=$(find . -name 'out*' -o -name '.out*')
-    [ -z "$left" ] || fail "left behind: $left"
-    rm -f $left
-}
-
-# refuses STATUS ARGUMENTS...: volsmooth fails so, and leaves nothing.
-refuses() {
-    local wanted=$1
-    shift
-    expect "$wanted" volsmooth "$@"
-    nothing_left
-}
-
-says() { grep -q -- "$1" stderr || fail "expected '$1' on standard error"; }
+tool=volsmooth
+. "$(dirname "$0")/../pipeline/manners.sh"
 
 test_help() {
     expect 0 volsmooth --help
@@ -183,29 +135,13 @@ test_pipes_and_repeats() {
 
 test_signal_leaves_nothing() {
     # A volume large enough to be met at work.
-    local signal process
-    for signal in TERM INT; do
-        # Through env, since bash makes background jobs ignore SIGINT for good.
-        env --default-signal=INT volsmooth large.vdb -o out.vdb --quiet &
-        process=$!
-        for _ in $(seq 500); do
-            [ -n "$(find . -name '.out*')" ] && break
-            sleep 0.01
-        done
-        kill -$signal $process 2>/dev/null
-        wait $process
-        local status=$?
-        [ $status -eq $((128 + $(kill -l $signal))) ] || fail "status $status after SIG$signal"
-        nothing_left
+    local signal
+    for signal in TERM INT HUP; do
+        dies_by $signal volsmooth large.vdb -o out.vdb --quiet
     done
 }
 
 make_volume in.vdb size=32 voxel=0.1 ior sphere:1:1.5:1:all opacity sphere:0.5:1:0 \
     absorption sphere:1:1,2,3:0 || exit 2
 make_volume large.vdb size=192 voxel=0.1 ior linear:2:0.01,0.02,0.03:all || exit 2
-for name in $(declare -F | sed -n 's/^declare -f test_//p'); do
-    [ -n "$only" ] && [ "$name" != "$only" ] && continue
-    "test_$name"
-done
-[ $failures -eq 0 ] && echo "all passed" || echo "$failures failed"
-exit $((failures > 0))
+run_tests
