@@ -1,0 +1,11 @@
+# A reference in double precision, which shares no code with libcore or the shaders: that is why
+# its own test links neither.
+add_library(judge STATIC judge/media.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
+                         judge/photons.cpp)
+target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} SYSTEM PUBLIC ${GLM_INCLUDE})
+
+add_executable(test_judge judge/trace_test.cpp judge/snell_test.cpp)
+target_link_libraries(test_judge PRIVATE judge GTest::gtest_main)
+set_target_properties(test_judge PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+add_test(NAME test_judge COMMAND test_judge)
+set_tests_properties(test_judge PROPERTIES TIMEOUT 600)
