@@ -48,8 +48,8 @@ std::optional<double> sphereAhead(const dvec3& x, const dvec3& d, double radius)
     return -along - std::sqrt(under);
 }
 
-/// ∫ over the sphere's upper half-line of r: f(r) dr / √(n²r² − m²) from the turning radius to
-/// outer. With r = turning + t² the root's singularity goes.
+/// ∫ f(r) dr / √(n²r² − m²) from the turning radius to outer. With r = turning + t² the root's
+/// singularity goes.
 double alongPass(const Profile& n, const Profile& slope, const std::function<double(double)>& f,
                  double m, double turning, double outer) {
     const auto integrand = [&](double t) {
@@ -221,7 +221,7 @@ Ray radialExit(dvec3 centre, const Ray& ray, const RadialPass& pass, double oute
     const dvec3 d = glm::normalize(ray.direction), r = ray.x - centre;
     const dvec3 nearest = r - glm::dot(r, d) * d;
     const double b = glm::length(nearest);
-    // b need not be 0 for the ray to stay in its plane; at 0 nothing turns.
+    // A ray through the centre has no side to turn to, and does not turn.
     const dvec3 up = b > 0 ? nearest / b : dvec3(0);
     const double c = std::cos(pass.deflection), s = std::sin(pass.deflection);
     const dvec3 out = c * d - s * up, outUp = c * up + s * d;

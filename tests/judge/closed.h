@@ -45,8 +45,8 @@ dvec3 fishEyeImage(dvec3 centre, double radius, dvec3 x);
 
 /// What Snell's law keeps in layers of n(y): the part of w along the layers (n cosθ, θ from them).
 dvec3 layeredInvariant(dvec3 w);
-/// The height in [low, high] at which n(y) falls to the invariant's length, by bisection, given
-/// that n − invariant changes sign there. Throws std::invalid_argument otherwise.
+/// The height in [low, high] at which n(y) equals the invariant's length, given that
+/// n − invariant changes sign there. Throws std::invalid_argument otherwise.
 double turningHeight(const Profile& n, double invariant, double low, double high);
 /// n² = n0sq + gain (1 − exp(−(y − y0)/scale)). With E = n0sq + gain − invariant² and
 /// q = √E (τ − τ0)/(2 scale): exp((y − y0)/scale) = (gain/E) cosh² q, w_y = √E tanh q.

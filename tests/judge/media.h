@@ -39,11 +39,11 @@ struct Medium {
 Medium linearSquared(double n0sq, dvec3 a);
 
 /// n² = n0² (1 − g² ρ²), ρ the distance from the axis through `centre` along z: a harmonic
-/// oscillator (the ideal GRIN rod of Saleh and Teich, Fundamentals of Photonics §1.3). [g] =
-/// 1/voxel
+/// oscillator (the ideal GRIN rod of Saleh and Teich, Fundamentals of Photonics §1.3). g is
+/// in [1/voxel].
 Medium grinRod(double n0, double g, dvec3 centre);
 
-/// n² = 2 − r²/R² up to the rim r = R, 1 beyond it (Luneburg, Mathematical Theory of Optics §29).
+/// n² = 2 − r²/R² up to the rim r = R, 1 beyond it (Luneburg, Mathematical Theory of Optics, 1944).
 Medium luneburg(dvec3 centre, double radius);
 
 /// n² = 2 − r²/R² with no rim: smooth, and positive to r = √2 R.

@@ -16,16 +16,17 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rays of order 1 in the plane of the axis, on their way inside or behind the ball: all pass the
-/// centre at the distance `past`, turned towards the axis by `turn`. Derivatives are by off.
+/// Rays in a plane of the axis, on their way inside or away from the ball: all pass the centre at
+/// the distance `past`, turned towards the axis by `turn`. Derivatives are by off.
 struct Pencil {
     double past, dPast;
     double turn, dTurn;
 };
 
-/// In units of the radius.
+/// In units of the radius. Of order 1, or where a bubble lets nothing in, of order 0.
 Pencil pencil(double ratio, double off, bool inside) {
     const double cosI = std::sqrt(std::max(0.0, 1 - off * off));
+    if (off >= ratio) return {off, 1, 2 * std::asin(off) - pi, 2 / cosI};
     const double sinT = off / ratio, cosT = std::sqrt(1 - sinT * sinT);
     const double bend = std::asin(off) - std::asin(sinT);
     const double dBend = 1 / cosI - 1 / (ratio * cosT);
@@ -33,49 +34,52 @@ Pencil pencil(double ratio, double off, bool inside) {
     return {off, 1, 2 * bend, 2 * dBend};
 }
 
-/// Share of the power that gets inside, or through.
+/// Share of the power that gets inside, or away.
 double passed(const BallScene& scene, double off, bool inside) {
-    if (scene.fresnel == Fresnel::None) return 1;
     const double ratio = scene.index / scene.around;
+    if (scene.fresnel == Fresnel::None || off >= ratio) return 1;
     if (inside) return 1 - reflectance(ratio, std::sqrt(1 - off * off)).mean();
     return ballOrders(ratio, off, scene.fresnel == Fresnel::Polarised)[1];
 }
 
 /// Fluence per irradiance at (along, across) from the centre in radii, across > 0: a sum over the
-/// rays that pass there on one side of the axis.
+/// rays that pass there, from either side of the axis.
 double pencilFluence(const BallScene& scene, double along, double across, bool inside) {
     const double ratio = scene.index / scene.around;
-    // A ray's height at `along`, from y cos(turn) + z sin(turn) = past.
-    const auto height = [&](double off) {
+    // A ray's line is y cos(turn) + z sin(turn) = past.
+    const auto share = [&](double off, double y) {
         const Pencil p = pencil(ratio, off, inside);
-        return (p.past - along * std::sin(p.turn)) / std::cos(p.turn);
-    };
-    const auto share = [&](double off) {
-        const Pencil p = pencil(ratio, off, inside);
-        const double c = std::cos(p.turn), y = height(off);
-        // dy/d(off) = (past' − turn' (z cos − y sin)) / cos, and the fluence has another 1/cos.
-        const double dy = p.dPast - p.dTurn * (along * c - y * std::sin(p.turn));
+        const double c = std::cos(p.turn), s = std::sin(p.turn);
         // The line is a ray only from where it enters, or leaves, the ball on.
-        if (inside ? along < -std::sqrt(1 - off * off) : along * c - y * std::sin(p.turn) < 0)
-            return 0.0;
+        if (inside ? along < -std::sqrt(1 - off * off) : along * c - y * s < 0) return 0.0;
+        // dy/d(off) = (past' − turn' (z cos − y sin)) / cos, and the fluence has another 1/cos.
+        const double dy = p.dPast - p.dTurn * (along * c - y * s);
         return passed(scene, off, inside) * off / (std::abs(y) * std::abs(dy));
     };
-    // Rays through either side of the axis. 2000 intervals, denser towards off = 1, where the turn
-    // has infinite slope: off = sin. Between them height is monotonic but for one at a caustic.
+    // 500 intervals of each range, denser towards its end, where the turn has infinite slope:
+    // off = sin. Within one a line passes the point once, but for two at a caustic.
+    std::vector<std::array<double, 2>> ranges = {{0, std::min(1.0, ratio)}};
+    if (!inside && ratio < 1) ranges.push_back({ratio, 1});
     double sum = 0;
-    const int n = 2000;
-    for (const double side : {across, -across}) {
-        const auto miss = [&](double a) { return height(std::sin(a)) - side; };
-        for (int i = 0; i < n; ++i) {
-            const double a0 = pi / 2 * i / n, a1 = pi / 2 * (i + 1 - 1e-9 * (i == n - 1)) / n;
-            const double f0 = miss(a0), f1 = miss(a1);
-            if (f0 * f1 > 0 || f0 == 0) continue;
-            std::uintmax_t most = 200;
-            const auto [low, high] = boost::math::tools::toms748_solve(
-                miss, a0, a1, f0, f1, boost::math::tools::eps_tolerance<double>(50), most);
-            sum += share(std::sin(0.5 * (low + high)));
+    const int n = 500;
+    for (const auto [from, to] : ranges)
+        for (const double y : {across, -across}) {
+            const auto offAt = [&](double a) { return from + (to - from) * std::sin(a); };
+            const auto miss = [&](double a) {
+                const Pencil p = pencil(ratio, offAt(a), inside);
+                return p.past - along * std::sin(p.turn) - y * std::cos(p.turn);
+            };
+            for (int i = 0; i < n; ++i) {
+                // Short of the very end by 1e-9, where derivatives are infinite.
+                const double a0 = pi / 2 * i / n, a1 = pi / 2 * (i + 1 - 1e-9) / n;
+                const double f0 = miss(a0), f1 = miss(a1);
+                if (f0 * f1 > 0 || f0 == 0) continue;
+                std::uintmax_t most = 200;
+                const auto [low, high] = boost::math::tools::toms748_solve(
+                    miss, a0, a1, f0, f1, boost::math::tools::eps_tolerance<double>(50), most);
+                sum += share(offAt(0.5 * (low + high)), y);
+            }
         }
-    }
     return sum;
 }
 
@@ -125,16 +129,14 @@ Caustic ballCaustic(double ratio, double radius, double off) {
 }
 
 double ballFluenceAt(const BallScene& scene, dvec3 x) {
-    if (scene.extinction != 0 || scene.extinctionAround != 0 || scene.index <= scene.around)
-        throw std::invalid_argument("no closed form for extinction, or for a bubble");
+    if (scene.extinction != 0 || scene.extinctionAround != 0)
+        throw std::invalid_argument("no closed form for extinction");
     const dvec3 d = glm::normalize(scene.direction), r = (x - scene.centre) / scene.radius;
     const double along = glm::dot(r, d), across = glm::length(r - along * d);
     if (glm::length(r) < 1) return scene.irradiance * pencilFluence(scene, along, across, true);
-    if (along < 0 && across < 1) return scene.irradiance; // before the ball
-    // Rays of order 1 may leave the shadow's cylinder, past their focus, and meet the direct light.
-    const double straight = across >= 1 ? 1 : 0;
-    const double through = pencilFluence(scene, along, across, false);
-    return scene.irradiance * (straight + through);
+    // Behind the ball its shadow, with what went through it; that may leave the shadow, too.
+    const double straight = along < 0 || across >= 1 ? 1 : 0;
+    return scene.irradiance * (straight + pencilFluence(scene, along, across, false));
 }
 
 double beerLambert(double irradiance, double extinction, double path) {

@@ -92,7 +92,7 @@ struct Energy {
 std::vector<double> ballFluence(const BallScene& scene, const Grid& grid, Energy* energy = nullptr);
 
 /// The same at a point, by counting the rays through it: fluence is irradiance × b db/(y dy cosδ)
-/// for each, infinite on the axis and the caustic. Takes no extinction and a ratio above 1.
+/// for each, infinite on the axis and the caustic. Throws std::invalid_argument for extinction.
 double ballFluenceAt(const BallScene& scene, dvec3 x);
 
 // ---- simple scenes

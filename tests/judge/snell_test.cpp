@@ -189,13 +189,17 @@ TEST(Fluence, MeetsTheCountOfRaysInsideAndBehind) {
     // Photons in cells against the closed count of rays at points, over the cell by Simpson's
     // rule, whose points are on its corners, too.
     const Grid grid{{0, 0, 0}, 1, {64, 32, 32}};
-    for (const Fresnel fresnel : {Fresnel::None, Fresnel::Unpolarised, Fresnel::Polarised}) {
-        BallScene scene{.centre = {16, 16, 16}, .radius = 12, .irradiance = 1};
+    // A bubble, too: past its critical angle it reflects outwards, at the sides.
+    for (const auto& [index, fresnel] :
+         {std::pair(1.5, Fresnel::None), std::pair(1.5, Fresnel::Unpolarised),
+          std::pair(1.5, Fresnel::Polarised), std::pair(0.6, Fresnel::Unpolarised)}) {
+        BallScene scene{.centre = {16, 16, 16}, .radius = 12, .index = index, .irradiance = 1};
         scene.fresnel = fresnel;
         scene.photons = 2e5;
         const auto fluence = ballFluence(scene, grid);
         int compared = 0;
-        for (int x = 0; x < 64; x += 5)
+        double allPhotons = 0, allCounts = 0;
+        for (int x = 0; x < 64; x += 7)
             for (int y = 16; y < 30; y += 3) {
                 const ivec3 cell(x, y, 17);
                 double mean = 0, least = 1e300, most = 0;
@@ -203,16 +207,21 @@ TEST(Fluence, MeetsTheCountOfRaysInsideAndBehind) {
                     const dvec3 offset = 0.5 * dvec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
                     const auto weight = [](double o) { return o == 0 ? 4.0 / 6 : 1.0 / 6; };
                     const double f = ballFluenceAt(scene, grid.middle(cell) + offset);
-                    mean += f * weight(offset.x) * weight(offset.y) * weight(offset.z),
-                        least = std::min(least, f), most = std::max(most, f);
+                    mean += f * weight(offset.x) * weight(offset.y) * weight(offset.z);
+                    least = std::min(least, f), most = std::max(most, f);
                 }
                 // Cells that hold an edge, the caustic or much of a slope are no place for points.
                 if (most > 1.3 * least) continue;
                 ++compared;
-                // 442 photons a cell in plain light; shadows have none, and so has the count.
-                EXPECT_NEAR(fluence[grid.cell(cell)], mean, 0.03 * mean + 1e-12) << x << " " << y;
+                // 442 photons a cell in plain light, whose number errs like the cell's rim, by 3 %;
+                // where a bubble spreads twenty over it, by one in six. Shadows have none at all.
+                const double error = 0.03 * mean + (mean > 0 ? 3.0 / 442 : 0) + 1e-12;
+                EXPECT_NEAR(fluence[grid.cell(cell)], mean, error) << index << " " << x << " " << y;
+                allPhotons += fluence[grid.cell(cell)], allCounts += mean;
             }
-        EXPECT_GT(compared, 30);
+        EXPECT_GT(compared, 20);
+        // Together the cells' errors cancel: tens of cells, each of 3 % or less.
+        EXPECT_NEAR(allPhotons / allCounts, 1, 0.005) << index;
     }
 }
 
@@ -264,5 +273,4 @@ TEST(Fluence, RefusesABallBeyondTheGridAndExtinctionOnPaper) {
     const Grid grid{{0, 0, 0}, 1, {8, 8, 8}};
     EXPECT_THROW(ballFluence({.centre = {4, 4, 7}, .radius = 2}, grid), std::invalid_argument);
     EXPECT_THROW(ballFluenceAt({.extinction = 1}, {3, 0, 0}), std::invalid_argument);
-    EXPECT_THROW(ballFluenceAt({.index = 0.9}, {3, 0, 0}), std::invalid_argument);
 }

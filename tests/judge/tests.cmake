@@ -2,7 +2,8 @@
 # its own test links neither.
 add_library(judge STATIC judge/media.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
                          judge/photons.cpp)
-target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} SYSTEM PUBLIC ${GLM_INCLUDE})
+target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_include_directories(judge SYSTEM PUBLIC ${GLM_INCLUDE})
 
 add_executable(test_judge judge/trace_test.cpp judge/snell_test.cpp)
 target_link_libraries(test_judge PRIVATE judge GTest::gtest_main)
