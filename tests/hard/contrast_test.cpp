@@ -97,6 +97,31 @@ TEST_P(HardContrast, ARayKeepsItsBouguerConstantThroughABall) {
     }
 }
 
+TEST_P(HardBending, AMediumAsHotAsItsSkyIsNotSeen) {
+    // In equilibrium L/n² is the same everywhere, and a medium shines as it absorbs: ε = σ L. Every
+    // ray then sees the sky, however it is bent: Clausius's n² and Kirchhoff's law in one.
+    for (const Ball& ball : kBalls) {
+        SCOPED_TRACE(testing::Message() << ball.inside << " in " << ball.outside);
+        const double sky = 3, sigma = 0.05;
+        TestVolume scene = ball.volume();
+        scene.constantVector("absorption", dvec3(sigma));
+        scene.addVector("emission", [&](dvec3 p) {
+            const double depth = Ball::kRadius - glm::length(p - 0.5 * Ball::kSize);
+            const double n = edge(ball.outside, ball.inside, depth, 1.5);
+            return dvec3(sigma * sky * n * n / (ball.outside * ball.outside));
+        });
+        Params params = parallel({50, 70, 100}, dvec3(20), 20, {12, 12});
+        params.background = dvec3(sky);
+        GetParam().set(params);
+        const Look look(scene.take(), params);
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 12; ++x)
+                // Between voxels the mean of n² is not the square of the mean of n, nor within a
+                // step: a hundredth of it where n changes by half its size in three voxels.
+                EXPECT_NEAR(look.at("R", x, y), sky, 0.02 * sky) << x << " " << y;
+    }
+}
+
 TEST(HardLightContrast, EnergyIsKeptByLightThroughABall) {
     for (const Ball& ball : kBalls) {
         SCOPED_TRACE(testing::Message() << ball.inside << " in " << ball.outside);
