@@ -102,7 +102,8 @@ private:
 
     glm::dmat4 mVoxelFromWorld;
     VoxelBox mDomain, mTarget;
-    Texture mField, mLeaves, mAbsorption, mScattering, mOpaque, mMap;
+    medium::Field mField;
+    Texture mLeaves, mAbsorption, mScattering, mOpaque, mMap;
     Buffer mEmitter, mCount, mParamsBlock, mBirthBlock, mResolveBlock, mPhotons, mLists[2],
         mAccounts;
     std::vector<Buffer> mPlanes, mResults; // results: channels of fluence, then of direction
@@ -125,18 +126,23 @@ Simulation::Simulation(gpu::Device& device, const volume::Volume& volume, const 
     mTracing.size = ivec4(plan.size, static_cast<int>(plan.voxels()));
     mTracing.list = uvec4(0, kStepsPerLaunch, params.maxSteps, 0);
     mTracing.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
-    mTracing.index = vec4(plan.index.least, 0, 0, 0);
+    const optics::Tracing& tracing = params.tracing;
+    const double crossing = glm::length(dvec3(plan.size));
+    mTracing.tracing = vec4(tracing.step > 0 ? tracing.step : 1e6, tracing.tolerance / crossing,
+                            crossing, 0);
     mTracing.scale = vec4(1.0f / glm::vec3(plan.size + 2), 0);
 }
 
 void Simulation::compile() {
     mProfiler.begin("shaders");
     const int channels = mPlan.tracedChannels();
+    const int field = medium::fieldSwitch(mPlan.bends, mParams.tracing.sampling());
     const bool direction = mPlan.wants(Output::direction);
     mBirthMap = Program(mDevice, "lightsim/birth.vert.glsl", "lightsim/birth.frag.glsl", {});
-    mBirth = Program(mDevice, "lightsim/birth.comp.glsl", {{"BEND", mPlan.bends}});
+    mBirth = Program(mDevice, "lightsim/birth.comp.glsl", {{"FIELD", field}});
     mMarch = Program(mDevice, "lightsim/march.comp.glsl",
-                     {{"BEND", mPlan.bends},
+                     {{"PATH", mParams.tracing.pathSwitch(mPlan.bends)},
+                      {"FIELD", field},
                       {"CHANNELS", channels},
                       {"MEDIUM", !mPlan.attenuates ? 0
                                  : mPlan.dense     ? 2
@@ -153,7 +159,9 @@ void Simulation::compile() {
 
 void Simulation::uploadMedium() {
     mProfiler.begin("medium");
-    if (mPlan.bends) mField = medium::makeField(mDevice, mPlan.index.grid);
+    mField = mPlan.bends ? medium::Field(mDevice, mPlan.index.grid,
+                                         {mParams.tracing.sampling(), mParams.tracing.unbiased()})
+                         : medium::Field(mDevice, mPlan.index.least);
     if (mPlan.attenuates) {
         mAbsorption = makeAbsorption(mDevice, mPlan);
         if (mPlan.colour) mScattering = makeScattering(mDevice, mPlan);
@@ -303,9 +311,7 @@ std::uint32_t Simulation::bear(const Window& window) {
     birth.weight = vec4(window.point ? 1 : 0, 0, 0, 0);
     birth.map = ivec4(window.pixels, static_cast<int>(mParams.seed), 0);
     mBirthBlock.upload(&birth, sizeof birth);
-    mParamsBlock.upload(&mTracing, sizeof mTracing);
     mBirthBlock.bindUniform(0);
-    mParamsBlock.bindUniform(1);
     mMap.clear();
     if (!window.startsAtLight) {
         mEmitter.bindStorage(0);
@@ -317,7 +323,7 @@ std::uint32_t Simulation::bear(const Window& window) {
     mPhotons.bindStorage(1);
     mLists[0].bindStorage(2);
     mMap.bindSampler(0);
-    if (mPlan.bends) mField.bindSampler(1);
+    mField.bind();
     mBirth.dispatch({window.pixels, 1});
     gpu::barrier();
     mDevice.check("photon birth");
@@ -340,9 +346,10 @@ std::uint32_t Simulation::march(std::uint32_t count) {
     mLists[1].bindStorage(3);
     for (size_t i = 0; i < mPlanes.size(); ++i)
         mPlanes[i].bindStorage(4 + static_cast<unsigned>(i));
-    const Texture* textures[] = {&mField, &mLeaves, &mAbsorption, &mScattering, &mOpaque};
-    for (unsigned unit = 0; unit < 5; ++unit)
-        if (textures[unit]->name() != 0) textures[unit]->bindSampler(1 + unit);
+    mField.bind();
+    const Texture* textures[] = {&mLeaves, &mAbsorption, &mScattering, &mOpaque};
+    for (unsigned unit = 0; unit < 4; ++unit)
+        if (textures[unit]->name() != 0) textures[unit]->bindSampler(2 + unit);
     mMarch.dispatch({static_cast<int>(count), 1, 1});
     gpu::barrier();
     mDevice.check("photons");

@@ -61,6 +61,7 @@ std::int64_t photonCount(double number) {
 void Params::check() const {
     if (lights.empty()) throw UsageError("--light: none given, expected at least one");
     photonCount(static_cast<double>(photons));
+    tracing.check("--trace-tolerance");
     require(tolerance >= 0, "--tolerance", tolerance, "0 or more");
     require(secondTolerance >= tolerance, "--tolerance2", secondTolerance,
             "at least --tolerance (" + toText(tolerance) + ")");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "optics/tracing.h"
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
@@ -28,6 +30,7 @@ enum class Output : unsigned { none = 0, fluence = 1, direction = 2, both = 3 };
 using Triangles = std::vector<glm::dvec3>;
 
 struct Params {
+    optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
     std::vector<Light> lights;
     std::int64_t photons = 1 << 20; ///< pixels of each light's photon map
     double tolerance = 0.005;       ///< ε: index range within which a leaf counts as constant [1]

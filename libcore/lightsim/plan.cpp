@@ -112,7 +112,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
                          voxels * 4, true, 0});
     const int floats = plan.fluenceChannels() + (plan.wants(Output::direction) ? 3 : 0) + 1;
     needs.push_back({"the summed light", voxels * 4 * floats, false, 0});
-    if (plan.bends) needs.push_back(medium::fieldNeed(plan.size));
+    if (plan.bends) needs.push_back(medium::fieldNeed(plan.size, params.tracing.sampling()));
     if (plan.bends || plan.attenuates)
         needs.push_back(
             {"the octree", voxels / 8 * (4 + 3 * 16) + voxels * 8, false, (edge + 1) / 2});

@@ -5,6 +5,7 @@
 #include "base/stats.h"
 #include "gpu/device.h"
 #include "lightsim/params.h"
+#include "medium/field.h"
 #include "medium/medium.h"
 #include "volume/volume.h"
 

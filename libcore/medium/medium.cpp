@@ -5,17 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/vec4.hpp>
 
 namespace eikonal::medium {
 
-namespace {
-
-using namespace glm;
-#include "shared/medium_params.h"
-static_assert(sizeof(MediumParams) == 16);
-
-} // namespace
+using glm::ivec3;
+using glm::vec3;
 
 Coefficient readCoefficient(const volume::Volume& volume, const std::string& grid,
                             const volume::IndexBox& box) {
@@ -56,28 +50,6 @@ Index readIndex(const volume::Volume& volume, const volume::IndexBox& box) {
                         std::max(index.jumpAtFaces, std::abs(values[i] - index.background));
             }
     return index;
-}
-
-gpu::Need fieldNeed(ivec3 size) {
-    const ivec3 outer = size + 2;
-    return {"the index field", std::int64_t{outer.x} * outer.y * outer.z * 16, false,
-            std::max({outer.x, outer.y, outer.z})};
-}
-
-gpu::Texture makeField(gpu::Device& device, const volume::DenseGrid& index) {
-    gpu::Texture field(device, index.size + 2, gpu::TexelFormat::rgba32f, gpu::Filter::linear);
-    const gpu::Program program(device, "medium/field.comp.glsl", {});
-    const MediumParams values{ivec4(index.size, 3)};
-    const gpu::Buffer params(device, sizeof values, &values);
-    const gpu::Buffer source(device, static_cast<std::int64_t>(index.values.size() * sizeof(float)),
-                             index.values.data());
-    params.bindUniform(0);
-    source.bindStorage(0);
-    field.bindImage(0);
-    program.dispatch(index.size + 2);
-    gpu::barrier();
-    device.check("the index field");
-    return field;
 }
 
 void extendPadding(std::vector<float>& padded, ivec3 size, int components, bool floorAtZero) {

@@ -46,13 +46,6 @@ struct Index {
 /// Reads `ior` over `box`. An absent grid is index 1.
 Index readIndex(const volume::Volume& volume, const volume::IndexBox& box);
 
-/// The bytes of an RGBA32F texture padded by one voxel.
-gpu::Need fieldNeed(glm::ivec3 size);
-
-/// (½∇(n²) [1/voxel], n), padded: see shaders/medium/field.comp.glsl. Sampled at (p + 1.5)/(size +
-/// 2) for p in voxels. `index` may be constant (its grid is then filled).
-gpu::Texture makeField(gpu::Device& device, const volume::DenseGrid& index);
-
 /// Packs up to four values per voxel into a texture padded by one voxel, extended linearly but not
 /// below 0 where `floorAtZero`. `pack(voxel, out)` fills componentsOf(format) floats.
 template<typename Pack>

@@ -53,7 +53,7 @@ void Params::check() const {
     else
         require(camera.fov > 0 && camera.fov < 180, "--fov", toText(camera.fov),
                 "above 0 and below 180 degrees");
-    require(step >= 1e-3 && step <= 1e3, "--step", toText(step), "0.001 to 1000 voxels");
+    Tracing::check("--tolerance");
     require(maxSteps >= 0, "--max-steps", std::to_string(maxSteps), "0 or more");
     require(background.x >= 0 && background.y >= 0 && background.z >= 0, "--background",
             "a radiance below 0", "0 or more");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "optics/tracing.h"
+
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -16,15 +18,14 @@ struct Camera {
     int width = 0, rows = 0; ///< of the picture [pixel]
 };
 
-enum class Integrator { euler, verlet };
+using optics::Integrator;
+using optics::Interpolation;
 
 /// Names of the pictures that can go beside the colour.
 const std::vector<std::string>& allAovs();
 
-struct Params {
+struct Params : optics::Tracing {
     Camera camera;
-    Integrator integrator = Integrator::verlet;
-    double step = 1;  ///< longest step [voxel]
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
     glm::dvec3 background{0};   ///< radiance where there is no map

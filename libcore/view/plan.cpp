@@ -1,6 +1,7 @@
 // What a picture of a scene calls for, decided before anything is allocated.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/text.h"
+#include "medium/field.h"
 #include "view/bands.h"
 #include "view/view.h"
 
@@ -87,7 +88,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     const auto texture = [&](const char* what, std::int64_t bytes) {
         needs.push_back({what, texels * bytes, false, edge});
     };
-    if (plan.bends) needs.push_back(medium::fieldNeed(plan.size));
+    if (plan.bends) needs.push_back(medium::fieldNeed(plan.size, params.sampling()));
     if (plan.dims || plan.emits)
         texture("the medium", plan.colour ? 16 : plan.scatters || plan.emits ? 8 : 4);
     if (plan.colour && (plan.scatters || plan.emits)) texture("the scattered light", 16);

@@ -3,10 +3,12 @@
 #include "view/view.h"
 
 #include "gpu/program.h"
+#include "medium/field.h"
 #include "view/bands.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -25,11 +27,14 @@ using gpu::Buffer;
 using gpu::TexelFormat;
 using gpu::Texture;
 #include "shared/view_params.h"
-static_assert(sizeof(ViewParams) == 224);
+static_assert(sizeof(ViewParams) == 240);
 static_assert(sizeof(PixelPath) == 64);
 
 // As in shaders/view/march.comp.glsl.
-constexpr size_t kSlots = 64, kCounters = 3;
+constexpr size_t kSlots = 64, kCounters = 5;
+
+// Adaptive steps get no shorter than this [voxel]: floats hold no position much better.
+constexpr double kShortestStep = 1e-3;
 
 // 1/(4π) [1/sr]: fluence to isotropically scattered radiance.
 constexpr float kIsotropicPhase = 0.07957747154594767f;
@@ -42,6 +47,11 @@ public:
     image::Image run(const Progress& progress);
 
 private:
+    /// One τ step is as long as the index says: no longer than asked where it is highest.
+    double longestTau() const {
+        const double step = mParams.step > 0 ? mParams.step : mParams.usualStep();
+        return step / static_cast<double>(mPlan.index.most);
+    }
     void uploadMedium();
     void uploadSurface();
     void uploadMap(const image::Image& map);
@@ -60,7 +70,8 @@ private:
     Stats& mStats;
     gpu::Profiler mProfiler;
     glm::dmat4 mVoxelFromWorld, mWorldFromVoxel;
-    Texture mField, mDimming, mSource, mLobes, mEmission, mSurface, mFluence, mMap;
+    medium::Field mField;
+    Texture mDimming, mSource, mLobes, mEmission, mSurface, mFluence, mMap;
     Buffer mBlock, mColours, mPaths, mCounters;
     ViewParams mValues{};
     gpu::Program mMarch;
@@ -75,11 +86,11 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
     mVoxelFromWorld[3] -= glm::dvec4(dvec3(scene.domain().min), 0.0);
     mWorldFromVoxel = glm::inverse(mVoxelFromWorld);
     const bool shines = plan.scatters || plan.emits;
-    const int path = !plan.bends ? 0 : params.integrator == Integrator::euler ? 1 : 2;
     const int channels = plan.colour ? 3 : plan.dims ? 1 : 0;
     mProfiler.begin("shaders");
     mMarch = gpu::Program(device, "view/march.comp.glsl",
-                          {{"PATH", path},
+                          {{"PATH", params.pathSwitch(plan.bends)},
+                           {"FIELD", medium::fieldSwitch(plan.bends, params.sampling())},
                            {"CHANNELS", channels},
                            {"SOURCE", plan.lobes ? 2
                                       : shines   ? 1
@@ -88,7 +99,11 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
                            {"OPAQUE", plan.opaque}});
     mProfiler.end();
     mProfiler.begin("medium");
-    if (plan.bends) mField = medium::makeField(device, plan.index.grid);
+    const bool verlet = params.integrator == Integrator::verlet;
+    mField = plan.bends ? medium::Field(device, plan.index.grid,
+                                        {params.sampling(), params.unbiased(),
+                                         verlet && params.unbiased() ? longestTau() : 0})
+                        : medium::Field(device, plan.index.least);
     uploadMedium();
     if (plan.opaque) uploadSurface();
     if (map) uploadMap(*map);
@@ -197,7 +212,8 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
 
     ViewParams& v = mValues;
     const ivec3 size = mPlan.size;
-    const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / mParams.step) + 1024;
+    const double tau = longestTau(), step = tau * static_cast<double>(mPlan.index.most);
+    const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / step) + 1024;
     v.size = ivec4(size, mParams.maxSteps > 0 ? mParams.maxSteps : crossings);
     v.picture = ivec4(camera.width, camera.rows, 0, 0);
     v.eyeHigh = vec4(eyeHigh, camera.parallel ? 0 : 1);
@@ -205,11 +221,12 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
     v.forward = vec4(turn * forward, 0);
     v.right = vec4(turn * right * (half * aspect), 0);
     v.up = vec4(turn * up * half, 0);
-    // One τ step is as long as the index says: no longer than asked where it is highest.
-    const bool verlet = mPlan.bends && mParams.integrator == Integrator::verlet;
-    const float most = mPlan.index.most;
-    v.march = vec4(verlet || !mPlan.bends ? mParams.step / most : mParams.step,
-                   mPlan.index.background, mPlan.index.least, wantsPaths(mPlan, mParams) ? 1 : 0);
+    const bool euler = mPlan.bends && mParams.integrator == Integrator::euler;
+    v.march =
+        vec4(euler ? step : tau, mPlan.index.background, 0, wantsPaths(mPlan, mParams) ? 1 : 0);
+    const bool adaptive = mParams.integrator == Integrator::adaptive;
+    v.tracing = vec4(mParams.tolerance, glm::length(dvec3(size)), kShortestStep * tau / step,
+                     adaptive ? std::min(1.0, step) * tau / step : tau);
     v.background = vec4(mParams.background, hasMap ? (mapByEdges ? 3 : 2) : 1);
     v.scale = vec4(1.0f / glm::vec3(size + 2), 0);
     v.light = vec4(mPlan.opaque && mPlan.fluence.present ? 1 : 0, 0, 0, 0);
@@ -230,10 +247,11 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
 
 image::Image Rendering::run(const Progress& progress) {
     const Camera& camera = mParams.camera;
-    const Texture* textures[] = {&mField,    &mDimming, &mSource,  &mLobes,
-                                 &mEmission, &mSurface, &mFluence, &mMap};
-    for (unsigned unit = 0; unit < 8; ++unit)
-        if (textures[unit]->name() != 0) textures[unit]->bindSampler(unit);
+    const Texture* textures[] = {&mDimming, &mSource,  &mLobes, &mEmission,
+                                 &mSurface, &mFluence, &mMap};
+    for (unsigned unit = 0; unit < 7; ++unit)
+        if (textures[unit]->name() != 0) textures[unit]->bindSampler(1 + unit);
+    mField.bind();
     mColours.bindStorage(0);
     mPaths.bindStorage(1);
     mCounters.bindStorage(2);
@@ -268,10 +286,21 @@ void Rendering::readBand(int row, int rows) {
 void Rendering::readCounters() {
     std::array<std::uint64_t, kSlots * kCounters> slots{};
     mCounters.download(slots.data(), sizeof slots);
-    const char* names[kCounters] = {"rays", "steps", "trapped"};
-    for (size_t counter = 0; counter < kCounters; ++counter)
+    const auto value = [&](size_t slot, size_t counter) { return slots[slot * kCounters + counter]; };
+    const char* names[] = {"rays", "steps", "trapped"};
+    for (size_t counter = 0; counter < 3; ++counter)
         for (size_t slot = 0; slot < kSlots; ++slot)
-            mStats.count(names[counter], static_cast<double>(slots[slot * kCounters + counter]));
+            mStats.count(names[counter], static_cast<double>(value(slot, counter)));
+    if (mPlan.bends && mParams.integrator == Integrator::adaptive) {
+        float worst = 0;
+        double over = 0;
+        for (size_t slot = 0; slot < kSlots; ++slot) {
+            worst = std::max(worst, std::bit_cast<float>(static_cast<std::uint32_t>(value(slot, 3))));
+            over += static_cast<double>(value(slot, 4));
+        }
+        mStats.count("position_error_voxels", static_cast<double>(worst));
+        mStats.count("over_tolerance", over);
+    }
 }
 
 image::Image Rendering::assemble() {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A ray is its position x [voxel] and w = n dx/ds, so |w| = n. A field sample is
-// (½∇(n²) [1/voxel], n). tau is the step of the Hamiltonian form, dτ = ds/n [voxel].
+// (½∇(n²) [1/voxel], n). tau is the step of the Hamiltonian form, dx/dτ = w, dw/dτ = ½∇(n²), where
+// dτ = ds/n [voxel]. Steps that look the field up themselves ask the entry file for it.
 
 struct Ray {
     vec3 x;
     vec3 w;
 };
+
+vec4 fieldAt(vec3 x);
 
 // Forward Euler with constant spatial step, dx/ds = w/n, dw/ds = ∇n: the sources' own scheme
 // (Ihrke et al. 2007, eqs 9–10; Sun et al. 2008, eqs 4–5). First order. `field` is at ray.x.
@@ -35,4 +38,107 @@ Ray verletStep(Ray ray, vec4 field, float tau) {
 // the start, a drift, half a kick by the field at the end, which the next step starts from.
 vec3 halfKick(vec3 w, vec4 field, float tau) {
     return w + (0.5 * tau) * vec3(field.x, field.y, field.z);
+}
+
+// Verlet steps can be of fourth order for the price of second. In the potential U = ½n² the step's
+// error is that of a slightly different U and a slight change of coordinates (Rowlands 1991, J.
+// Comput. Phys. 97:235; Takahashi and Imada 1984). The first is made good beforehand by stepping in
+// U + τ²/24 |∇U|², the second at both ends of a run of equal steps: `force` is ∇U at ray.x and `bend`
+// its derivative along the ray, (w·∇)∇U.
+Ray toVerlet(Ray ray, vec3 force, vec3 bend, float tau) {
+    float c = tau * tau / 24.0;
+    return Ray(ray.x + c * force, ray.w - c * bend);
+}
+
+Ray fromVerlet(Ray ray, vec3 force, vec3 bend, float tau) {
+    float c = tau * tau / 24.0;
+    return Ray(ray.x - c * force, ray.w + c * bend);
+}
+
+// A Verlet step's share of the optical path length ∫ n² dτ = ∫ |w|² dτ, to fourth order together with
+// verletOpticalEnd() added at the start of a run and taken off at its end.
+float verletOptical(vec3 before, vec3 after, float tau) {
+    vec3 kick = after - before;
+    return tau * (dot(before, after) + 5.0 / 12.0 * dot(kick, kick));
+}
+
+float verletOpticalEnd(vec3 w, vec3 force, float tau) {
+    return tau * tau / 12.0 * dot(w, force);
+}
+
+// What a step of several look-ups gives.
+struct Advance {
+    Ray ray;
+    float optical; // ∫ n² dτ over the step [voxel]
+    vec4 last;     // the field at its end: of an embedded step only
+    vec3 offX;     // how far the embedded, lower order is off: of an embedded step only
+    vec3 offW;
+};
+
+// ∫ |w|² dτ over a step of τ by Simpson's rule, from w and dw/dτ at both its ends. (From |w|, not from n:
+// a look-up of n wavers within a voxel, w does not.)
+float opticalOf(vec3 before, vec3 after, vec3 forceBefore, vec3 forceAfter, float tau) {
+    vec3 middle = 0.5 * (before + after) + (0.125 * tau) * (forceBefore - forceAfter);
+    return (tau / 6.0) * (dot(before, before) + 4.0 * dot(middle, middle) + dot(after, after));
+}
+
+// Runge–Kutta–Nyström, fourth order in three look-ups: lens design's step (Sharma, Kumar and Ghatak
+// 1982, Appl. Opt. 21:984, eqs 11–13).
+Advance sharmaStep(Ray ray, float tau) {
+    vec4 a = fieldAt(ray.x);
+    vec3 ga = vec3(a.x, a.y, a.z);
+    vec4 b = fieldAt(ray.x + (0.5 * tau) * ray.w + (0.125 * tau * tau) * ga);
+    vec3 gb = vec3(b.x, b.y, b.z);
+    vec4 c = fieldAt(ray.x + tau * ray.w + (0.5 * tau * tau) * gb);
+    vec3 gc = vec3(c.x, c.y, c.z);
+    Ray next = Ray(ray.x + tau * (ray.w + (tau / 6.0) * (ga + 2.0 * gb)),
+                   ray.w + (tau / 6.0) * (ga + 4.0 * gb + gc));
+    return Advance(next, opticalOf(ray.w, next.w, ga, gc, tau), c, vec3(0.0), vec3(0.0));
+}
+
+// The classical Runge–Kutta step of fourth order on (x, w), in four look-ups.
+Advance rk4Step(Ray ray, float tau) {
+    float mid = 0.5 * tau;
+    vec4 a = fieldAt(ray.x);
+    vec3 ga = vec3(a.x, a.y, a.z);
+    vec4 b = fieldAt(ray.x + mid * ray.w);
+    vec3 gb = vec3(b.x, b.y, b.z);
+    vec4 c = fieldAt(ray.x + mid * ray.w + (mid * mid) * ga);
+    vec3 gc = vec3(c.x, c.y, c.z);
+    vec4 d = fieldAt(ray.x + tau * ray.w + (tau * mid) * gb);
+    vec3 gd = vec3(d.x, d.y, d.z);
+    Ray next = Ray(ray.x + tau * (ray.w + (tau / 6.0) * (ga + gb + gc)),
+                   ray.w + (tau / 6.0) * (ga + 2.0 * gb + 2.0 * gc + gd));
+    return Advance(next, opticalOf(ray.w, next.w, ga, gd, tau), d, vec3(0.0), vec3(0.0));
+}
+
+// An embedded Runge–Kutta–Nyström pair of orders 4 and 3, in three look-ups beside `first`, the field
+// at ray.x, which the step before has looked up (Dormand, El-Mikkawy and Prince 1987, IMA J. Numer.
+// Anal. 7:235, RKN4(3)4FM).
+Advance embeddedStep(Ray ray, vec4 first, float tau) {
+    float t2 = tau * tau;
+    vec3 ga = vec3(first.x, first.y, first.z);
+    vec4 b = fieldAt(ray.x + (0.25 * tau) * ray.w + (t2 / 32.0) * ga);
+    vec3 gb = vec3(b.x, b.y, b.z);
+    vec4 c = fieldAt(ray.x + (0.7 * tau) * ray.w + t2 * (0.007 * ga + 0.238 * gb));
+    vec3 gc = vec3(c.x, c.y, c.z);
+    vec3 x = ray.x + tau * ray.w + t2 * (ga / 14.0 + (8.0 / 27.0) * gb + (25.0 / 189.0) * gc);
+    vec4 d = fieldAt(x);
+    vec3 gd = vec3(d.x, d.y, d.z);
+    vec3 w = ray.w + tau * (ga / 14.0 + (32.0 / 81.0) * gb + (250.0 / 567.0) * gc + (5.0 / 54.0) * gd);
+    // The differences of both orders' weights: subtracting both results would leave rounding.
+    vec3 offX = t2 * ((62.0 / 525.0) * ga - (203.0 / 1350.0) * gb - (67.0 / 3780.0) * gc + 0.05 * gd);
+    vec3 offW = tau * ((-23.0 / 42.0) * ga + (92.0 / 81.0) * gb - (575.0 / 567.0) * gc +
+                       (23.0 / 54.0) * gd);
+    return Advance(Ray(x, w), opticalOf(ray.w, w, ga, gd, tau), d, offX, offW);
+}
+
+// A point of the way within a step, f from 0 to 1, by the cubic that has both ends' x and w: the
+// integrator's own interpolant (Stone and Forbes 1990, J. Opt. Soc. Am. A 7:248).
+Ray between(Ray a, Ray b, float tau, float f) {
+    vec3 whole = b.x - a.x;
+    vec3 c2 = 3.0 * whole - tau * (2.0 * a.w + b.w);
+    vec3 c3 = tau * (a.w + b.w) - 2.0 * whole;
+    vec3 w = a.w + (f / tau) * (2.0 * c2 + (3.0 * f) * c3);
+    return Ray(a.x + f * (tau * a.w + f * (c2 + f * c3)), w);
 }

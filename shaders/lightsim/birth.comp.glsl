@@ -5,29 +5,13 @@
 #include "lib/random.glsl"
 #include "lightsim/fates.glsl"
 
-#ifndef BEND
-#error BEND must be 0 or 1
-#endif
-const bool kBend = BEND == 1;
-
 layout(local_size_x = 64) in;
 layout(std140, binding = 0) uniform Params { BirthParams params; };
-layout(std140, binding = 1) uniform Tracing { PhotonParams tracing; };
 layout(std430, binding = 0) buffer Count { uint nextCount; };
 layout(std430, binding = 1) writeonly buffer Photons { Photon photons[]; }; // one per pixel
 layout(std430, binding = 2) writeonly buffer List { uint list[]; };         // pixels with a photon
 layout(binding = 0) uniform sampler2D birthMap;
-#if BEND
-layout(binding = 1) uniform sampler3D field;
-#endif
-
-float indexAt(vec3 x) {
-#if BEND
-    return textureLod(field, (x + 1.5) * tracing.scale.xyz, 0.0).w;
-#else
-    return tracing.index.x;
-#endif
-}
+#include "medium/sample.glsl"
 
 // The integral of the solid angle from the view's axis to tangents (u, v), a quarter of a pyramid's.
 float cornerAngle(float u, float v) {
@@ -81,7 +65,7 @@ void main() {
     }
     Photon photon;
     photon.place = vec4(x, weight);
-    photon.wave = vec4(indexAt(x) * direction, weight);
+    photon.wave = vec4(jetAt(x, direction).n * direction, weight);
     photon.absorbed = vec4(0.0, 0.0, 0.0, weight);
     photon.scattered = vec4(0.0, 0.0, 0.0, uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
     photon.count = uvec4(kAlive, 0u, 0u, 0u);

@@ -11,11 +11,12 @@
 #include "lib/ray.glsl"
 #include "lightsim/fates.glsl"
 
-#if !defined(BEND) || !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || \
+#if !defined(PATH) || !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || \
     !defined(OPAQUE)
-#error BEND, DIRECTION, OPAQUE must be 0 or 1, MEDIUM 0 to 2, CHANNELS 1 or 3
+#error PATH must be 0 to 5, DIRECTION, OPAQUE 0 or 1, MEDIUM 0 to 2, CHANNELS 1 or 3
 #endif
-const bool kBend = BEND == 1;           // the index varies
+const int kStraight = 0, kEuler = 1, kVerlet = 2, kSharma = 3, kRk4 = 4, kAdaptive = 5;
+const int kPath = PATH;                 // straight where the index does not vary
 const bool kMedium = MEDIUM > 0;        // something absorbs or scatters
 const bool kDense = MEDIUM == 2;        // a voxel may have an optical depth above 0.25
 const bool kColour = CHANNELS == 3;     // it does so by wavelength
@@ -35,11 +36,11 @@ layout(std430, binding = 3) writeonly buffer NextList { uint nextList[]; };
 // direction's component d in [−1, 1] adds (1 + d)/2 of the deposit, so these sums stay below those
 // of fluence and need no watch.
 layout(std430, binding = 4) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
-layout(binding = 1) uniform sampler3D field;      // (½∇n², n); this and coefficients padded by one
 layout(binding = 2) uniform usampler3D leaves;    // per 2×2×2 voxels
-layout(binding = 3) uniform sampler3D absorption; // grey: (σ_a, σ_s) [1/voxel]
+layout(binding = 3) uniform sampler3D absorption; // padded by one; grey: (σ_a, σ_s) [1/voxel]
 layout(binding = 4) uniform sampler3D scattering; // colour only
 layout(binding = 5) uniform usampler3D opaque;    // per voxel, not 0 inside opaque material
+#include "medium/sample.glsl"
 
 const uint kNearFull = 0xE0000000u;
 
@@ -47,12 +48,40 @@ vec3 coordinate(vec3 x) {
     return (x + 1.5) * params.scale.xyz;
 }
 
-vec4 fieldAt(vec3 x) {
-    return kBend ? textureLod(field, coordinate(x), 0.0) : vec4(0.0, 0.0, 0.0, params.index.x);
-}
-
 Attenuation dimmingOf(float depth) {
     return kDense ? attenuationOf(depth) : thinAttenuationOf(depth);
+}
+
+// A step of several look-ups, of at most τ; the adaptive one is made again, shorter, until its error is
+// what it may be. `longest` is what the next one may be.
+struct Leap {
+    Advance step;
+    float tau;
+    float longest;
+};
+
+Leap leapOf(Ray ray, vec4 first, float tau, float longest) {
+    Leap leap;
+    leap.tau = tau;
+    leap.longest = longest;
+    if (kPath == kAdaptive) {
+        bool good = false;
+        for (int tries = 0; tries < 12 && !good; ++tries) {
+            leap.step = embeddedStep(ray, first, leap.tau);
+            float off = length(leap.step.offX) +
+                        length(leap.step.offW) * params.tracing.z / leap.step.last.w;
+            float allowed = params.tracing.y * leap.tau * leap.step.last.w;
+            float change = 0.9 * pow(max(allowed / max(off, 1.0e-30), 1.0e-6), 1.0 / 3.0);
+            leap.longest = leap.tau * clamp(change, 0.2, 4.0);
+            good = off <= allowed;
+            if (!good) leap.tau = leap.longest;
+        }
+    } else if (kPath == kRk4) {
+        leap.step = rk4Step(ray, tau);
+    } else {
+        leap.step = sharmaStep(ray, tau);
+    }
+    return leap;
 }
 
 void main() {
@@ -77,6 +106,7 @@ void main() {
     vec3 halfSize = 0.5 * vec3(size);
     float unit = params.limits.z;
     vec4 sampled = fieldAt(x);
+    float longest = 1.0e6; // adaptive: dτ [voxel]
 
     while (steps < last && fate == kAlive) {
         // How far: to the leaf's face, within its limits, and never beyond the domain.
@@ -90,10 +120,17 @@ void main() {
                                0).x;
         uint level = leafLevel(leaf);
         float ds = min(distanceToLeafFace(x, signs, inverses, level), leafLimit(leaf));
-        ds = min(max(ds, params.limits.x), toFace);
+        ds = min(min(max(ds, params.limits.x), params.tracing.x), toFace);
         float tau = ds / sampled.w;
-        vec3 middle = kBend ? halfKick(w, sampled, tau) : w;
-        vec3 next = clamp(x + tau * middle, centre - halfSize, centre + halfSize);
+        vec3 middle = kPath == kVerlet ? halfKick(w, sampled, tau) : w;
+        vec3 next = x + tau * middle;
+        Leap leap;
+        if (kPath > kVerlet) {
+            leap = leapOf(Ray(x, w), sampled, min(tau, longest), longest);
+            longest = leap.longest;
+            next = leap.step.ray.x;
+        }
+        next = clamp(next, centre - halfSize, centre + halfSize);
 
         // Walk the voxels between (Amanatides and Woo 1987), t from 0 to 1 along the step.
         vec3 along = next - x;
@@ -173,8 +210,14 @@ void main() {
         scattered += sigmaS * spent;
         ++steps;
         x = next;
-        sampled = fieldAt(x);
-        w = kBend ? halfKick(middle, sampled, tau) : w;
+        if (kPath == kEuler) w = eulerStep(Ray(x, w), sampled, ds).w;
+        if (kPath == kAdaptive) sampled = leap.step.last;
+        else if (kPath > kStraight) sampled = fieldAt(x);
+        if (kPath == kVerlet) w = halfKick(middle, sampled, tau);
+        if (kPath > kVerlet) w = leap.step.ray.w;
+        // Linear look-ups are the gradient of no potential, so |w| would drift from n over many turns.
+        // A share a step keeps it there, and does not take n's own wavering within a voxel into w.
+        if (kField == 1 && kPath > kEuler) w *= mix(1.0, sampled.w * inversesqrt(dot(w, w)), 0.3);
 
         // Left the domain: on its face, on the way out.
         bool outside = any(greaterThanEqual((x - centre) * sign(w), halfSize - 1.0e-4));

@@ -5,7 +5,8 @@ struct OctreeParams {
     ivec4 size;   // voxels along x, y, z; w: the pyramid's top level
     ivec4 nodes;  // nodes along x, y, z of the level worked on; w: that level
     ivec4 source; // nodes along x, y, z of the level read; w: its first node in the pyramid
-    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an edge
+    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an edge,
+                  // w: nodes that level 1 is widened by to each side
     vec4 limits;  // x: tolerance ε, y: second tolerance ε', z: step limit under ε' [voxel]
 };
 
@@ -29,7 +30,8 @@ struct PhotonParams {
     vec4 limits; // x: shortest step [voxel], y: a photon dimmer than this is dropped,
                  // z: fixed-point unit of one voxel's length at weight 1
     vec4 colour; // xyz: the light's RGB over their sum, the weights of its direction
-    vec4 index;  // x: the index, where it does not vary
+    vec4 tracing; // x: longest step [voxel]; adaptive, y: error allowed per voxel of the way, z: length
+                  // of a crossing [voxel]
     vec4 scale;  // xyz: 1 / (size + 2), voxels to coordinates of padded textures
 };
 

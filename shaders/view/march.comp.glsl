@@ -10,9 +10,9 @@
 
 #if !defined(PATH) || !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || \
     !defined(OPAQUE)
-#error PATH, SOURCE must be 0 to 2, CHANNELS 0, 1 or 3, EMISSION and OPAQUE 0 or 1
+#error PATH must be 0 to 5, SOURCE 0 to 2, CHANNELS 0, 1 or 3, EMISSION and OPAQUE 0 or 1
 #endif
-const int kStraight = 0, kEuler = 1, kVerlet = 2;
+const int kStraight = 0, kEuler = 1, kVerlet = 2, kSharma = 3, kRk4 = 4, kAdaptive = 5;
 const int kPath = PATH;
 const bool kDims = CHANNELS > 0;    // something absorbs or scatters
 const bool kColour = CHANNELS == 3; // it does so, or shines, by wavelength
@@ -27,7 +27,8 @@ layout(std140, binding = 0) uniform Params { ViewParams params; };
 layout(std430, binding = 0) writeonly buffer Colours { vec4 colours[]; };
 layout(std430, binding = 1) writeonly buffer Paths { PixelPath paths[]; };
 layout(std430, binding = 2) buffer Counters { uvec2 counters[]; }; // (low, high): see kSlots
-layout(binding = 0) uniform sampler3D field;    // (½∇n², n); this and all below padded by one voxel
+#include "medium/sample.glsl"
+// All below are padded by one voxel.
 layout(binding = 1) uniform sampler3D dimming;  // grey: (σ_t, source); colour: σ_t [1/voxel]
 layout(binding = 2) uniform sampler3D source;   // colour only; radiance per voxel of length
 layout(binding = 3) uniform sampler3D lobes;    // light_direction in voxel space, g
@@ -37,7 +38,7 @@ layout(binding = 6) uniform sampler3D fluence;  // for opaque surfaces
 
 // Counters are spread over slots so that pixels do not queue for one.
 const uint kSlots = 64u;
-const uint kRays = 0u, kSteps = 1u, kTrappedRays = 2u, kCounters = 3u;
+const uint kRays = 0u, kSteps = 1u, kTrappedRays = 2u, kWorst = 3u, kOver = 4u, kCounters = 5u;
 
 void count(uint counter, uint amount) {
     uint slot = (gl_WorkGroupID.x + 7u * gl_WorkGroupID.y) % kSlots;
@@ -45,12 +46,15 @@ void count(uint counter, uint amount) {
     if (before > 0xFFFFFFFFu - amount) atomicAdd(counters[slot * kCounters + counter].y, 1u);
 }
 
-vec3 coordinate(vec3 x) {
-    return (x + 1.5) * params.scale.xyz;
+// The largest estimate of a ray's error, as the bits of a float, and the rays above the tolerance.
+void noteError(float error) {
+    uint slot = (gl_WorkGroupID.x + 7u * gl_WorkGroupID.y) % kSlots;
+    atomicMax(counters[slot * kCounters + kWorst].x, floatBitsToUint(error));
+    if (error > params.tracing.x) count(kOver, 1u);
 }
 
-vec4 fieldAt(vec3 at) {
-    return kPath == kStraight ? vec4(0.0, 0.0, 0.0, params.march.z) : textureLod(field, at, 0.0);
+vec3 coordinate(vec3 x) {
+    return (x + 1.5) * params.scale.xyz;
 }
 
 // A ray on its way, and what it has met.
@@ -63,6 +67,8 @@ struct Walk {
     float opticalLength; // [voxel]
     int steps;
     int fate;
+    float error; // adaptive: the steps' own estimates of how far off the exit is, added up [voxel]
+    vec3 met;    // a point inside opaque material, when stopped; the ray is still outside it
 };
 
 // Adds a piece of length ds [voxel] with the medium as sampled at coordinate `at`.
@@ -130,89 +136,217 @@ vec3 surfaceLight(vec3 x) {
     return albedo * arriving * (share * 0.3183098861837907);
 }
 
-// One step of τ (Euler: of tau = ds/n, sampled at its start), or, into opaque material, part of it.
+
+// One step of τ of the schemes with one look-up, `sampled` at `where`: Euler's at its start, Verlet's in
+// its middle.
 Walk takeStep(Walk walk, vec4 sampled, vec3 where, float tau) {
     float ds = tau * sampled.w;
-    if (kOpaque && textureLod(surface, where, 0.0).x > 0.5) {
+    if (kOpaque && opacityAt(where) > 0.5) {
         walk.fate = kStopped;
+        walk.met = where;
         return walk;
     }
-    if (kDims || kShines) walk = gather(walk, where, walk.ray.w / sampled.w, sampled.w, ds);
-    walk.pathLength += ds;
-    walk.opticalLength += ds * sampled.w;
-    walk.ray = kPath == kStraight ? Ray(walk.ray.x + tau * walk.ray.w, walk.ray.w)
+    if (kDims || kShines)
+        walk = gather(walk, coordinate(where), walk.ray.w / sampled.w, sampled.w, ds);
+    Ray next = kPath == kStraight ? Ray(walk.ray.x + tau * walk.ray.w, walk.ray.w)
                : kPath == kEuler  ? eulerStep(walk.ray, sampled, ds)
                                   : verletStep(walk.ray, sampled, tau);
+    float optical =
+        kPath == kVerlet ? verletOptical(walk.ray.w, next.w, tau) : ds * sampled.w;
+    walk.opticalLength += optical;
+    walk.pathLength += kPath == kVerlet ? sqrt(optical * tau) : ds;
+    walk.ray = next;
     ++walk.steps;
     return walk;
 }
 
-// Where the opaque surface lies between the last sample outside it and the one inside, and what it
-// sends to the eye.
-Walk meetSurface(Walk walk, vec4 sampled, vec3 inside, float tau) {
-    vec3 outside = inside - tau * walk.ray.w;
-    for (int i = 0; i < 12; ++i) {
-        vec3 between = 0.5 * (outside + inside);
-        if (opacityAt(between) > 0.5) inside = between;
-        else outside = between;
+// One step of τ of several look-ups, already made: what it meets on its way, voxel by voxel.
+Walk follow(Walk walk, Advance step, float tau) {
+    float ds = sqrt(abs(step.optical * tau));
+    if (kDims || kShines || kOpaque) {
+        Ray start = walk.ray;
+        int pieces = max(int(ceil(ds)), 1);
+        for (int i = 0; i < pieces && walk.fate == kWalking; ++i) {
+            Ray at = between(start, step.ray, tau, (float(i) + 0.5) / float(pieces));
+            float n = length(at.w);
+            if (kOpaque && opacityAt(at.x) > 0.5) {
+                walk.fate = kStopped;
+                walk.met = at.x;
+            } else {
+                if (kDims || kShines)
+                    walk = gather(walk, coordinate(at.x), at.w / n, n, ds / float(pieces));
+                walk.ray = at;
+            }
+        }
+        if (kOpaque && walk.fate == kStopped) return walk;
     }
-    float ds = max(dot(inside - walk.ray.x, walk.ray.w) / sampled.w, 0.0);
-    if (kDims || kShines)
-        walk = gather(walk, coordinate(walk.ray.x + (0.5 * ds / sampled.w) * walk.ray.w),
-                      walk.ray.w / sampled.w, sampled.w, ds);
-    walk.pathLength += ds;
-    walk.opticalLength += ds * sampled.w;
-    walk.ray.x = inside;
-    vec3 through = kColour ? walk.through : vec3(walk.through.x);
-    walk.light += through * surfaceLight(inside) / (sampled.w * sampled.w);
+    walk.opticalLength += step.optical;
+    walk.pathLength += ds * sign(tau);
+    walk.ray = step.ray;
     return walk;
 }
 
-// From the entry to where the ray leaves, stops or has used up its steps. What is rare stands
-// outside the inner loop: software devices walk every branch of a loop in every round.
-Walk walkThrough(Walk walk, vec3 low, vec3 high) {
-    int limit = params.size.w;
-    vec3 centre = 0.5 * (low + high);
-    vec3 halfSize = high - centre;
-    vec4 sampled = vec4(0.0, 0.0, 0.0, 1.0);
-    vec3 at = walk.ray.x;
+// Where the opaque surface lies between the last point outside it and the one inside, and what it sends
+// to the eye.
+Walk meetSurface(Walk walk) {
+    vec3 outside = walk.ray.x;
+    vec3 inside = walk.met;
+    for (int i = 0; i < 12; ++i) {
+        vec3 middle = 0.5 * (outside + inside);
+        if (opacityAt(middle) > 0.5) inside = middle;
+        else outside = middle;
+    }
+    float n = length(walk.ray.w);
+    float ds = length(inside - walk.ray.x);
+    if (kDims || kShines)
+        walk = gather(walk, coordinate(0.5 * (walk.ray.x + inside)), walk.ray.w / n, n, ds);
+    walk.pathLength += ds;
+    walk.opticalLength += ds * n;
+    walk.ray.x = inside;
+    vec3 through = kColour ? walk.through : vec3(walk.through.x);
+    walk.light += through * surfaceLight(inside) / (n * n);
+    return walk;
+}
+
+bool isOutside(vec3 x, vec3 centre, vec3 halfSize) {
+    return any(greaterThan(abs(x - centre), halfSize));
+}
+
+// The share of a step that ends outside after which its interpolant leaves the domain.
+float shareInside(Ray start, Ray end, float tau, vec3 centre, vec3 halfSize) {
+    float inside = 0.0;
+    float outside = 1.0;
+    for (int i = 0; i < 22; ++i) {
+        float middle = 0.5 * (inside + outside);
+        if (isOutside(between(start, end, tau, middle).x, centre, halfSize)) outside = middle;
+        else inside = middle;
+    }
+    return outside;
+}
+
+// A straight piece, forward or back, from close to a face onto it.
+vec3 ontoFace(vec3 x, vec3 w, vec3 centre, vec3 halfSize) {
+    vec3 times = (halfSize - (x - centre) * sign(w)) / max(abs(w), vec3(1.0e-20));
+    float time = min(times.x, min(times.y, times.z));
+    if (abs(time) < 1.0e-2) x += time * w;
+    return clamp(x, centre - halfSize, centre + halfSize);
+}
+
+// Steps of several look-ups, until the ray leaves, stops or has used up its steps; or `once`. A step that
+// ends outside is made again, as long as its interpolant stays in the domain.
+Walk walkByStages(Walk walk, vec3 centre, vec3 halfSize, bool once) {
+    float next = once ? params.march.x : params.tracing.w;
+    float tau = next;
+    bool landing = false;
+    bool walking = true;
+    vec4 first = kPath == kAdaptive ? fieldAt(walk.ray.x) : vec4(0.0);
+    while (walking) {
+        Advance step;
+        if (kPath == kAdaptive) step = embeddedStep(walk.ray, first, tau);
+        else if (kPath == kRk4) step = rk4Step(walk.ray, tau);
+        else step = sharmaStep(walk.ray, tau);
+        ++walk.steps;
+        bool good = true;
+        float off = 0.0;
+        if (kPath == kAdaptive) {
+            // An error of the direction counts by how far the ray may still go; all errors of a
+            // crossing add up to the tolerance.
+            float reach = params.tracing.y;
+            off = length(step.offX) + length(step.offW) * reach / step.last.w;
+            float allowed = params.tracing.x * tau * step.last.w / reach;
+            float least = params.tracing.z;
+            good = landing || off <= allowed || tau <= least;
+            float change = 0.9 * pow(max(allowed / max(off, 1.0e-30), 1.0e-6), 1.0 / 3.0);
+            if (!landing) next = clamp(tau * clamp(change, 0.2, 4.0), least, params.march.x);
+        }
+        if (good && !landing && isOutside(step.ray.x, centre, halfSize)) {
+            next = tau * shareInside(walk.ray, step.ray, tau, centre, halfSize);
+            landing = true;
+        } else if (good) {
+            walk = follow(walk, step, tau);
+            walk.error += off;
+            first = step.last;
+            walking = !landing && !once;
+            if (landing && walk.fate == kWalking) {
+                walk.ray.x = ontoFace(walk.ray.x, walk.ray.w, centre, halfSize);
+                walk.fate = kLeft;
+            }
+        }
+        tau = next;
+        if (walk.fate == kWalking && walk.steps >= params.size.w) walk.fate = kTrapped;
+        walking = walking && walk.fate == kWalking;
+    }
+    return walk;
+}
+
+// Steps of one look-up, as long as the next one stays inside. What is rare stands outside this loop:
+// software devices walk every branch of a loop in every round.
+Walk walkByLooks(Walk walk, vec3 centre, vec3 halfSize) {
     float tau = params.march.x;
-    while (walk.fate == kWalking) {
-        bool inside = true;
-        while (inside && walk.fate == kWalking) {
-            if (kPath == kEuler) {
-                at = walk.ray.x;
-                sampled = fieldAt(coordinate(at));
-                tau = params.march.x / sampled.w;
-            }
-            inside = all(lessThanEqual(abs(walk.ray.x + tau * walk.ray.w - centre), halfSize)) &&
-                     walk.steps < limit;
-            if (!inside) break;
-            if (kPath != kEuler) {
-                at = verletMiddle(walk.ray, tau);
-                sampled = fieldAt(coordinate(at));
-            }
-            walk = takeStep(walk, sampled, coordinate(at), tau);
+    bool inside = true;
+    while (inside && walk.fate == kWalking) {
+        vec3 at = walk.ray.x;
+        vec4 sampled = vec4(0.0, 0.0, 0.0, 1.0);
+        if (kPath == kEuler) {
+            sampled = fieldAt(at);
+            tau = params.march.x / sampled.w;
         }
-        if (walk.fate == kStopped) break;
-        if (walk.steps >= limit) {
-            walk.fate = kTrapped;
-            break;
-        }
-        // The step that would leave ends on the face, unless the field turns the ray back there.
-        tau = min(tau, timeToLeave(walk.ray.x, walk.ray.w, low, high));
+        inside = !isOutside(walk.ray.x + tau * walk.ray.w, centre, halfSize) &&
+                 walk.steps < params.size.w;
+        if (!inside) break;
         if (kPath != kEuler) {
             at = verletMiddle(walk.ray, tau);
-            sampled = fieldAt(coordinate(at));
+            sampled = fieldAt(at);
         }
-        walk = takeStep(walk, sampled, coordinate(at), tau);
-        if (walk.fate == kStopped) break;
-        if (timeToLeave(walk.ray.x, walk.ray.w, low, high) <= 1.0e-3 * params.march.x)
-            walk.fate = kLeft;
-        walk.ray.x = clamp(walk.ray.x, low, high);
-        tau = params.march.x;
+        walk = takeStep(walk, sampled, at, tau);
     }
-    if (kOpaque && walk.fate == kStopped) walk = meetSurface(walk, sampled, at, tau);
+    if (walk.fate == kWalking && walk.steps >= params.size.w) walk.fate = kTrapped;
+    return walk;
+}
+
+// A run of equal Verlet steps, from and to the ray's own coordinates.
+Walk walkByVerlet(Walk walk, vec3 centre, vec3 halfSize) {
+    float tau = params.march.x;
+    Jet jet = jetAt(walk.ray.x, walk.ray.w);
+    walk.opticalLength += verletOpticalEnd(walk.ray.w, jet.force, tau);
+    walk.ray = toVerlet(walk.ray, jet.force, jet.bend, tau);
+    walk = walkByLooks(walk, centre, halfSize);
+    jet = jetAt(walk.ray.x, walk.ray.w);
+    walk.ray = fromVerlet(walk.ray, jet.force, jet.bend, tau);
+    walk.opticalLength -= verletOpticalEnd(walk.ray.w, jet.force, tau);
+    return walk;
+}
+
+// The last step of a straight or an Euler ray ends on the face, unless the field turns the ray back.
+Walk reachFace(Walk walk, vec3 centre, vec3 halfSize) {
+    vec4 sampled = fieldAt(walk.ray.x);
+    vec3 low = centre - halfSize;
+    vec3 high = centre + halfSize;
+    float whole = kPath == kEuler ? params.march.x / sampled.w : params.march.x;
+    float tau = min(whole, timeToLeave(walk.ray.x, walk.ray.w, low, high));
+    walk = takeStep(walk, sampled,
+                    kPath == kEuler ? walk.ray.x : verletMiddle(walk.ray, tau), tau);
+    if (walk.fate == kWalking &&
+        timeToLeave(walk.ray.x, walk.ray.w, low, high) <= 1.0e-3 * params.march.x)
+        walk.fate = kLeft;
+    if (walk.fate != kStopped) walk.ray.x = clamp(walk.ray.x, low, high);
+    return walk;
+}
+
+// From the entry to where the ray leaves, stops or has used up its steps.
+Walk walkThrough(Walk walk, vec3 centre, vec3 halfSize) {
+    while (walk.fate == kWalking) {
+        if (kPath > kVerlet) {
+            walk = walkByStages(walk, centre, halfSize, false);
+        } else if (kPath == kVerlet) {
+            walk = walkByVerlet(walk, centre, halfSize);
+            if (walk.fate == kWalking) walk = walkByStages(walk, centre, halfSize, true);
+        } else {
+            walk = walkByLooks(walk, centre, halfSize);
+            if (walk.fate == kWalking) walk = reachFace(walk, centre, halfSize);
+        }
+    }
+    if (kOpaque && walk.fate == kStopped) walk = meetSurface(walk);
     return walk;
 }
 
@@ -249,14 +383,15 @@ void main() {
     vec3 low = vec3(-0.5);
     vec3 high = vec3(params.size.xyz) - 0.5;
     Ray ray = Ray(hits ? clamp(vec3(eye + enter * towards), low, high) : vec3(eye), start);
-    Walk walk = Walk(ray, vec3(0.0), vec3(1.0), 0.0, 0.0, 0, kWalking);
+    Walk walk = Walk(ray, vec3(0.0), vec3(1.0), 0.0, 0.0, 0, kWalking, 0.0, vec3(0.0));
 
     if (hits) {
-        walk.ray.w *= fieldAt(coordinate(walk.ray.x)).w;
-        walk = walkThrough(walk, low, high);
+        walk.ray.w *= jetAt(walk.ray.x, start).n;
+        walk = walkThrough(walk, 0.5 * (low + high), 0.5 * (high - low));
         count(kRays, 1u);
         count(kSteps, uint(walk.steps));
         if (walk.fate == kTrapped) count(kTrappedRays, 1u);
+        if (kPath == kAdaptive) noteError(walk.error);
     }
     if (!kColour) {
         walk.through = vec3(walk.through.x);
@@ -269,7 +404,7 @@ void main() {
         light += walk.through * sky / (params.march.y * params.march.y);
     }
     bool eyeInside = hits && enter == 0.0LF;
-    float n = eyeInside ? fieldAt(coordinate(vec3(eye))).w : params.march.y;
+    float n = eyeInside ? jetAt(vec3(eye), start).n : params.march.y;
     vec3 turned = direction - start;
     // Where no gradient acted the direction is the same but for rounding.
     bool changed = hits && (walk.fate == kStopped || dot(turned, turned) > 1.0e-12 ||
@@ -280,7 +415,7 @@ void main() {
         path.place = vec4(walk.ray.x, walk.opticalLength);
         path.direction = vec4(direction, walk.pathLength);
         path.through = vec4(walk.fate == kStopped ? vec3(0.0) : walk.through, float(walk.steps));
-        float atExit = hits ? fieldAt(coordinate(walk.ray.x)).w : 1.0;
+        float atExit = hits ? jetAt(walk.ray.x, walk.ray.w).n : 1.0;
         path.error = vec4(abs(length(walk.ray.w) - atExit), hits ? 0.0 : 1.0, 0.0, 0.0);
         paths[at] = path;
     }

@@ -4,7 +4,7 @@
 
 #include "gpu/program.h"
 #include "lightsim/lightsim.h"
-#include "medium/medium.h"
+#include "medium/field.h"
 #include "view/view.h"
 
 #include <chrono>
@@ -90,7 +90,7 @@ Json measureKernels(const Settings& settings) {
     const view::Scene scene(std::move(volumes));
     const view::Params params = viewParams();
     const view::Plan plan = view::makePlan(scene, params, false);
-    const gpu::Texture field = medium::makeField(device, plan.index.grid);
+    const medium::Field field(device, plan.index.grid, {});
 
     const volume::Volume hazy = ballVolume(kVoxels, true);
     lightsim::Params light;
@@ -101,7 +101,7 @@ Json measureKernels(const Settings& settings) {
         photonRatio, frame;
     for (int i = 0; i <= settings.repeats; ++i) {
         Stats seen, lit;
-        march.push_back(bareMarch(device, field));
+        march.push_back(bareMarch(device, field.texture()));
         view::render(device, scene, plan, params, std::nullopt, seen, {});
         view.push_back(1e3 * counter(seen, "steps") / passMs(seen, "view"));
         viewRatio.push_back(view.back() / march.back());

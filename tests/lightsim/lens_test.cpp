@@ -48,10 +48,16 @@ TEST(LightLens, AGlassBallFocusesOnTheAxisBehindIt) {
     EXPECT_GE(brightest.z, 16 + 8);
     EXPECT_LE(brightest.z, 16 + 14);
     EXPECT_GT(lit.fluence(brightest), 15);
-    // The rim of the ball throws a shadow, before it the light is as it came.
-    EXPECT_NEAR(lit.fluence({16, 16, 2}), 1, 1e-3); // fixed point
+    // The rim of the ball throws a shadow, beside it the light is as it came.
+    EXPECT_NEAR(lit.fluence({16, 30, 16}), 1, 0.05); // the glory below, spread all round
     EXPECT_LT(lit.fluence({16, 24, 30}), 0.8);
-    EXPECT_NEAR(lit.stats.energy.escaped[0], lit.stats.energy.entered[0], 1e-4 * 1024); // floats
+    // n r hardly grows within the blurred edge: rays at 11.0 voxels from the axis are turned back by
+    // it, those between 11.0 and 11.3 leave in all directions (the deflection integral, done on
+    // paper). The ring is a glory, bright on the axis on the side that the light comes from.
+    EXPECT_GT(lit.fluence({16, 16, 2}), 1.2);
+    EXPECT_LT(lit.fluence({16, 16, 2}), 3);
+    EXPECT_NEAR(lit.stats.energy.escaped[0], lit.stats.energy.entered[0],
+                1e-3 * 1024); // the last thousandth of the photons is not traced to its end
     // Mirror images of each other in the axis, photon by photon but for rounding.
     double worst = 0;
     forEachVoxel(ivec3(32), [&](ivec3 p) {
@@ -154,5 +160,8 @@ TEST(LightLens, OrbitsThatOverflowAVoxelAreRunAgain) {
     // What the books say was absorbed, the fluence says too. A unit 16 or 256 times coarser rounds
     // each of some million deposits by up to one, in either direction at random.
     EXPECT_NEAR(lit.total() * 0.0005, energy.absorbed[0], 2e-3 * energy.absorbed[0]);
-    EXPECT_GT(energy.absorbed[0], 0.5 * energy.entered[0]);
+    // Circles about a centre up to 3.4 from the lens's fit a ball of radius 8: three quarters of all
+    // directions, and 0.95 of their light is absorbed before it is dropped. In so few voxels some get
+    // away from their circles.
+    EXPECT_GT(energy.absorbed[0], 0.6 * energy.entered[0]);
 }

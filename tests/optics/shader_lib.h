@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/ext.hpp>
 #include <glm/glm.hpp>
 
@@ -43,6 +44,13 @@ namespace { // the library knows no `inline`
 #include "lib/phase.glsl"
 #include "lib/random.glsl"
 #include "lib/ray.glsl"
+#include "lib/spline.glsl"
+
+// Steps that look the field up ask the test for it.
+thread_local std::function<vec4(vec3)> theField;
+vec4 fieldAt(vec3 x) {
+    return theField(x);
+}
 } // namespace
 #pragma GCC diagnostic pop
 #undef float

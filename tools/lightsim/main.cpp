@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/text.h"
 #include "common/session.h"
+#include "common/tracing.h"
 #include "lightsim/lightsim.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
@@ -15,6 +16,7 @@ struct Options {
     std::vector<std::string> lights;
     volume::GridNames names;
     lightsim::Params params;
+    std::optional<tool::TracingOptions> tracing;
 };
 
 void addOptions(CLI::App& app, Options& o) {
@@ -66,6 +68,8 @@ void addOptions(CLI::App& app, Options& o) {
     app.add_option("--smoothing", p.smoothing, "rounds of 3x3x3 smoothing of the result")
         ->type_name("N")
         ->capture_default_str();
+    o.tracing.emplace(app, "--trace-tolerance",
+                      "longest step [voxel]; default: as the octree allows");
     app.add_option("--proxy", o.proxy,
                    "closed mesh on which photons start, not on the domain's box")
         ->type_name("MESH");
@@ -123,6 +127,7 @@ void simulate(tool::Session& session, Options& o) {
     o.params.automaticOutputs = o.outputs == "auto";
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
     o.params.seed = session.seed();
+    o.params.tracing = o.tracing->finish();
     if (session.app().count("--tolerance2") == 0)
         o.params.secondTolerance = std::max(o.params.secondTolerance, o.params.tolerance);
     o.params.check();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/text.h"
 #include "common/session.h"
+#include "common/tracing.h"
 #include "gpu/device.h"
 #include "image/exr.h"
 #include "image/picture.h"
@@ -17,9 +18,10 @@ namespace {
 
 struct Options {
     std::vector<std::string> inputs;
-    std::string size, environment, aovs, integrator = "verlet", tone = "clip";
+    std::string size, environment, aovs, tone = "clip";
     volume::GridNames names;
     view::Params params;
+    std::optional<tool::TracingOptions> tracing;
     image::ToneMap toneMap;
 };
 
@@ -70,14 +72,7 @@ void addOptions(CLI::App& app, Options& o) {
     app.add_option("--env-rotate", p.environmentTurn, "turn the map about its up axis [degree]")
         ->type_name("DEG")
         ->group("Background");
-    app.add_option("--integrator", o.integrator, "euler (first order) or verlet (second order)")
-        ->check(CLI::IsMember({"euler", "verlet"}))
-        ->capture_default_str()
-        ->group("Tracing");
-    app.add_option("--step", p.step, "longest step [voxel]")
-        ->type_name("VOXELS")
-        ->capture_default_str()
-        ->group("Tracing");
+    o.tracing.emplace(app, "--tolerance", "longest step [voxel]; default 1, adaptive 4");
     app.add_option("--max-steps", p.maxSteps, "steps after which a ray counts as trapped; 0: ample")
         ->type_name("N")
         ->capture_default_str()
@@ -110,8 +105,7 @@ void parseTexts(Options& o) {
         o.params.aovs = view::allAovs();
     else if (!o.aovs.empty())
         o.params.aovs = split(o.aovs, ',');
-    o.params.integrator =
-        o.integrator == "euler" ? view::Integrator::euler : view::Integrator::verlet;
+    static_cast<optics::Tracing&>(o.params) = o.tracing->finish();
     if (!(std::abs(o.toneMap.exposure) <= 100))
         throw UsageError("--exposure: found " + toText(o.toneMap.exposure) +
                          ", expected -100 to 100 stops");

@@ -1,0 +1,1 @@
+eikonal_room(optics SOURCES tracing.cpp)

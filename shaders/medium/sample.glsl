@@ -1,0 +1,105 @@
+// The index field at a point, as every ray reads it: (½∇(n²) [1/voxel], n) by voxel coordinates.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/field_params.h"
+#include "lib/spline.glsl"
+
+#ifndef FIELD
+#error FIELD must be 0 (a constant index), 1 (linear) or 2 (cubic)
+#endif
+const int kField = FIELD;
+
+layout(std140, binding = 3) uniform Field { FieldParams fieldParams; };
+#if FIELD == 1
+layout(binding = 8) uniform sampler3D field; // (½∇n², n) per voxel, padded by one
+#elif FIELD == 2
+layout(binding = 8) uniform sampler3D field; // per texel four spline coefficients along x
+#endif
+
+#if FIELD == 2
+// The potential ½(n² − n₀²) is one spline, its gradient the spline's own. A texel has all that a row
+// needs: 16 of them, unfiltered, where filtered look-ups would take 8 for the value alone.
+vec4 fieldAt(vec3 x) {
+    // Coefficients reach a voxel beyond the faces.
+    vec3 at = clamp(x, vec3(-0.999), fieldParams.high.xyz + 0.999);
+    vec3 cell = floor(at);
+    vec3 t = at - cell;
+    vec4 wx = splineWeights(t.x);
+    vec4 wy = splineWeights(t.y);
+    vec4 wz = splineWeights(t.z);
+    vec4 sx = splineSlopes(t.x);
+    vec4 sy = splineSlopes(t.y);
+    vec4 sz = splineSlopes(t.z);
+    vec3 texel = (cell + 1.5) * fieldParams.scale.xyz; // unfiltered; faster than texelFetch on Mesa
+    vec4 sum = vec4(0.0); // gradient, value
+    for (int k = 0; k < 4; ++k) {
+        vec3 row = vec3(0.0); // over y of: value, ∂x, ∂y
+        for (int j = 0; j < 4; ++j) {
+            vec4 c = textureLod(field, texel + vec3(0, j, k) * fieldParams.scale.xyz, 0.0);
+            float value = dot(c, wx);
+            row += vec3(wy[j] * value, wy[j] * dot(c, sx), sy[j] * value);
+        }
+        sum += vec4(wz[k] * row.y, wz[k] * row.z, sz[k] * row.x, wz[k] * row.x);
+    }
+    // The potential that steps of τ see is higher by τ²/24 |∇U|².
+    float square = fieldParams.cubic.x + 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz);
+    return vec4(sum.xyz, sqrt(max(square, 1.0e-12)));
+}
+#elif FIELD == 1
+vec4 fieldAt(vec3 x) {
+    return textureLod(field, (x + 1.5) * fieldParams.scale.xyz, 0.0);
+}
+#else
+vec4 fieldAt(vec3 x) {
+    return vec4(0.0, 0.0, 0.0, fieldParams.scale.w);
+}
+#endif
+
+// What a ray's ends need, once: the index as exactly as the samples tell, ∇U = ½∇(n²), and its
+// derivative along w, (w·∇)∇U.
+struct Jet {
+    float n;
+    vec3 force;
+    vec3 bend;
+};
+
+#if FIELD == 1
+// From the eight samples round x. Unbiased samples make the mean of linear interpolation right, not
+// each of its points: where x lies in its cell tells how far it is off, by n's second derivatives.
+Jet jetAt(vec3 x, vec3 w) {
+    vec3 cell = clamp(floor(x), vec3(-1.0), fieldParams.high.xyz);
+    vec3 t = x - cell;
+    vec4 mean = vec4(0.0);
+    vec3 bend = vec3(0.0);
+    vec3 curve = vec3(0.0); // ∂²n along each axis
+    for (int i = 0; i < 8; ++i) {
+        vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
+        vec4 s = texelFetch(field, ivec3(cell) + 1 + ivec3(corner), 0);
+        vec3 side = 2.0 * corner - 1.0;
+        vec3 weight = mix(1.0 - t, t, corner);
+        vec3 across = side * weight.yzx * weight.zxy; // a difference along an axis, linear in others
+        mean += weight.x * weight.y * weight.z * s;
+        bend += dot(across, w) * s.xyz;
+        curve += across * s.xyz / s.w;
+    }
+    float n = mean.w;
+    if (fieldParams.high.w == 1.0) n -= dot(0.5 * t * (1.0 - t) - 1.0 / 12.0, curve);
+    return Jet(n, mean.xyz, bend);
+}
+#elif FIELD == 2
+Jet jetAt(vec3 x, vec3 w) {
+    float e = 0.25 / max(length(w), 1.0e-6);
+    vec4 here = vec4(0.0);
+    vec3 bend = vec3(0.0);
+    // (A loop whose end the compiler does not know keeps one copy of the look-up.)
+    for (int i = 0; i < int(fieldParams.cubic.z); ++i) {
+        vec4 found = fieldAt(x + (float(i - 1) * e) * w);
+        if (i == 1) here = found;
+        bend += (float(i - 1) / (2.0 * e)) * found.xyz;
+    }
+    return Jet(here.w, here.xyz, bend);
+}
+#else
+Jet jetAt(vec3 x, vec3 w) {
+    return Jet(fieldParams.scale.w, vec3(0.0), vec3(0.0));
+}
+#endif

@@ -1,0 +1,57 @@
+// The options of how rays are stepped, which render and lightsim share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/tracing.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+namespace eikonal::tool {
+
+TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption,
+                               const std::string& stepHelp)
+    : mToleranceOption(toleranceOption) {
+    const char* const kGroup = "Tracing";
+    mIntegratorOption =
+        app.add_option("--integrator", mIntegrator,
+                       "euler (the older papers' scheme, first order), verlet (one look-up a step), "
+                       "sharma (fourth order, three), rk4 (four), adaptive (keeps to " +
+                           toleranceOption + ")")
+            ->check(CLI::IsMember(optics::integratorNames()))
+            ->capture_default_str()
+            ->group(kGroup);
+    app.add_option("--interpolation", mInterpolation,
+                   "of the index: linear (one look-up), or cubic (a spline through the samples); "
+                   "default linear for euler and verlet, cubic for the others")
+        ->check(CLI::IsMember({"linear", "cubic"}))
+        ->group(kGroup);
+    app.add_option("--step", mTracing.step, stepHelp)
+        ->type_name("VOXELS")
+        ->check([](const std::string& text) {
+            return parseNumbers(text) && parseNumbers(text)->front() == 0
+                       ? std::string("found 0, expected 0.001 to 1000 voxels")
+                       : std::string();
+        })
+        ->group(kGroup);
+    mTolerance =
+        app.add_option(toleranceOption, mTracing.tolerance,
+                       "error that a ray may have where it leaves [voxel]; implies adaptive")
+            ->type_name("VOXELS")
+            ->capture_default_str()
+            ->group(kGroup);
+}
+
+optics::Tracing TracingOptions::finish() const {
+    optics::Tracing tracing = mTracing;
+    std::string integrator = mIntegrator;
+    if (mTolerance->count() > 0) {
+        if (mIntegratorOption->count() > 0 && integrator != "adaptive")
+            throw UsageError(mToleranceOption + ": --integrator " + integrator +
+                             " keeps to no tolerance, expected adaptive");
+        integrator = "adaptive";
+    }
+    tracing.integrator = optics::parseIntegrator(integrator);
+    if (!mInterpolation.empty()) tracing.interpolation = optics::parseInterpolation(mInterpolation);
+    return tracing;
+}
+
+} // namespace eikonal::tool

@@ -1,0 +1,28 @@
+// The options of how rays are stepped, which render and lightsim share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "optics/tracing.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace eikonal::tool {
+
+/// What the command line says, until finish() makes a Tracing of it.
+class TracingOptions {
+public:
+    /// Adds --integrator, --interpolation, --step and the tolerance under its name.
+    TracingOptions(CLI::App& app, const std::string& toleranceOption, const std::string& stepHelp);
+
+    /// A tolerance alone asks for adaptive steps. Throws UsageError where another integrator was
+    /// named beside it.
+    optics::Tracing finish() const;
+
+private:
+    std::string mToleranceOption, mIntegrator = "verlet", mInterpolation;
+    optics::Tracing mTracing;
+    CLI::Option *mIntegratorOption, *mTolerance;
+};
+
+} // namespace eikonal::tool
