@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 namespace eikonal::lightsim {
@@ -123,14 +124,15 @@ std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, cons
     Window front;
     front.point = true;
     front.origin = light.vector;
-    front.startsAtLight = !hasProxy && domain.contains(light.vector);
     const dvec3 towards = centre - light.vector;
     const double distance = glm::length(towards);
+    const double least = 1e-5 * (distance + size);
+    // Nearer to a face than the near plane the map would not see that face.
+    front.startsAtLight = !hasProxy && domain.contains(light.vector, least);
     // From outside, the cube's front face looks at the target, which then mostly fits that face.
     const dvec3 forward = distance > 1e-9 * size ? towards / distance : dvec3(0, 0, 1);
     aim(front, forward, referenceFor(forward));
 
-    const double least = 1e-5 * (distance + size);
     std::vector<Window> windows;
     std::vector<Bounds> bounds;
     double area = 0;
@@ -161,9 +163,8 @@ std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, cons
 
 } // namespace
 
-bool VoxelBox::contains(const dvec3& p) const {
-    return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y &&
-           p.z < high.z;
+bool VoxelBox::contains(const dvec3& p, double margin) const {
+    return glm::all(glm::greaterThan(p, low - margin)) && glm::all(glm::lessThan(p, high + margin));
 }
 
 double Window::pixelArea() const {

@@ -14,7 +14,7 @@ namespace eikonal::lightsim {
 /// An axis-aligned box in voxel space, the domain's low corner voxel at the origin.
 struct VoxelBox {
     glm::dvec3 low, high;
-    bool contains(const glm::dvec3& p) const;
+    bool contains(const glm::dvec3& p, double margin) const;
 };
 
 /// One rectangle of a photon map: parallel rays, or a part of one face of a cube round the light.

@@ -96,7 +96,8 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
                                       : shines   ? 1
                                                  : 0},
                            {"EMISSION", plan.lobes && plan.emits},
-                           {"OPAQUE", plan.opaque}});
+                           {"OPAQUE", plan.opaque},
+                           {"PATHS", wantsPaths(plan, params)}});
     mProfiler.end();
     mProfiler.begin("medium");
     const bool verlet = params.integrator == Integrator::verlet;
@@ -213,7 +214,9 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
     ViewParams& v = mValues;
     const ivec3 size = mPlan.size;
     const double tau = longestTau(), step = tau * static_cast<double>(mPlan.index.most);
-    const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / step) + 1024;
+    const bool adaptive = mParams.integrator == Integrator::adaptive;
+    const double usual = adaptive ? std::min(step, 0.25) : step; // what hard places take
+    const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / usual) + 1024;
     v.size = ivec4(size, mParams.maxSteps > 0 ? mParams.maxSteps : crossings);
     v.picture = ivec4(camera.width, camera.rows, 0, 0);
     v.eyeHigh = vec4(eyeHigh, camera.parallel ? 0 : 1);
@@ -222,11 +225,9 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
     v.right = vec4(turn * right * (half * aspect), 0);
     v.up = vec4(turn * up * half, 0);
     const bool euler = mPlan.bends && mParams.integrator == Integrator::euler;
-    v.march =
-        vec4(euler ? step : tau, mPlan.index.background, 0, wantsPaths(mPlan, mParams) ? 1 : 0);
-    const bool adaptive = mParams.integrator == Integrator::adaptive;
-    v.tracing = vec4(mParams.tolerance, glm::length(dvec3(size)), kShortestStep * tau / step,
-                     adaptive ? std::min(1.0, step) * tau / step : tau);
+    v.march = vec4(euler ? step : tau, mPlan.index.background, kShortestStep * tau / step,
+                   adaptive ? std::min(1.0, step) * tau / step : tau);
+    v.tracing = vec4(mParams.tolerance, glm::length(dvec3(size)), 0, 0);
     v.background = vec4(mParams.background, hasMap ? (mapByEdges ? 3 : 2) : 1);
     v.scale = vec4(1.0f / glm::vec3(size + 2), 0);
     v.light = vec4(mPlan.opaque && mPlan.fluence.present ? 1 : 0, 0, 0, 0);

@@ -70,9 +70,9 @@ float verletOpticalEnd(vec3 w, vec3 force, float tau) {
 struct Advance {
     Ray ray;
     float optical; // ∫ n² dτ over the step [voxel]
-    vec4 last;     // the field at its end: of an embedded step only
-    vec3 offX;     // how far the embedded, lower order is off: of an embedded step only
-    vec3 offW;
+    vec4 last;     // the field at its end
+    float offX;    // of an embedded step only: the error of x [voxel] and of w, estimated
+    float offW;
 };
 
 // ∫ |w|² dτ over a step of τ by Simpson's rule, from w and dw/dτ at both its ends. (From |w|, not from n:
@@ -93,7 +93,7 @@ Advance sharmaStep(Ray ray, float tau) {
     vec3 gc = vec3(c.x, c.y, c.z);
     Ray next = Ray(ray.x + tau * (ray.w + (tau / 6.0) * (ga + 2.0 * gb)),
                    ray.w + (tau / 6.0) * (ga + 4.0 * gb + gc));
-    return Advance(next, opticalOf(ray.w, next.w, ga, gc, tau), c, vec3(0.0), vec3(0.0));
+    return Advance(next, opticalOf(ray.w, next.w, ga, gc, tau), c, 0.0, 0.0);
 }
 
 // The classical Runge–Kutta step of fourth order on (x, w), in four look-ups.
@@ -109,12 +109,14 @@ Advance rk4Step(Ray ray, float tau) {
     vec3 gd = vec3(d.x, d.y, d.z);
     Ray next = Ray(ray.x + tau * (ray.w + (tau / 6.0) * (ga + gb + gc)),
                    ray.w + (tau / 6.0) * (ga + 2.0 * gb + 2.0 * gc + gd));
-    return Advance(next, opticalOf(ray.w, next.w, ga, gd, tau), d, vec3(0.0), vec3(0.0));
+    return Advance(next, opticalOf(ray.w, next.w, ga, gd, tau), d, 0.0, 0.0);
 }
 
 // An embedded Runge–Kutta–Nyström pair of orders 4 and 3, in three look-ups beside `first`, the field
 // at ray.x, which the step before has looked up (Dormand, El-Mikkawy and Prince 1987, IMA J. Numer.
-// Anal. 7:235, RKN4(3)4FM).
+// Anal. 7:235, RKN4(3)4FM). Its own estimate is the error of the third order, which is not the one that
+// goes on: by comparison with the whole kick it tells how much of a field's length τ is, and so what the
+// next order is worth.
 Advance embeddedStep(Ray ray, vec4 first, float tau) {
     float t2 = tau * tau;
     vec3 ga = vec3(first.x, first.y, first.z);
@@ -130,7 +132,11 @@ Advance embeddedStep(Ray ray, vec4 first, float tau) {
     vec3 offX = t2 * ((62.0 / 525.0) * ga - (203.0 / 1350.0) * gb - (67.0 / 3780.0) * gc + 0.05 * gd);
     vec3 offW = tau * ((-23.0 / 42.0) * ga + (92.0 / 81.0) * gb - (575.0 / 567.0) * gc +
                        (23.0 / 54.0) * gd);
-    return Advance(Ray(x, w), opticalOf(ray.w, w, ga, gd, tau), d, offX, offW);
+    float strength = max(max(dot(ga, ga), dot(gb, gb)), max(dot(gc, gc), dot(gd, gd)));
+    float off = sqrt(dot(offW, offW));
+    float share = sqrt(off / max(tau * sqrt(strength), 1.0e-20));
+    return Advance(Ray(x, w), opticalOf(ray.w, w, ga, gd, tau), d, share * sqrt(dot(offX, offX)),
+                   share * off);
 }
 
 // A point of the way within a step, f from 0 to 1, by the cubic that has both ends' x and w: the

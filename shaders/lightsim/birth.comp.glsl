@@ -63,6 +63,12 @@ void main() {
         }
         x = inside;
     }
+    // A light on a face of the domain sends half of its photons elsewhere.
+    if (startsAtLight && (any(lessThanEqual(max(x - params.low.xyz, direction), vec3(0.0))) ||
+                          any(lessThanEqual(max(params.high.xyz - x, -direction), vec3(0.0))))) {
+        photons[id].count = uvec4(kNone, 0u, 0u, 0u);
+        return;
+    }
     Photon photon;
     photon.place = vec4(x, weight);
     photon.wave = vec4(jetAt(x, direction).n * direction, weight);

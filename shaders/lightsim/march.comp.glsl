@@ -68,10 +68,10 @@ Leap leapOf(Ray ray, vec4 first, float tau, float longest) {
         bool good = false;
         for (int tries = 0; tries < 12 && !good; ++tries) {
             leap.step = embeddedStep(ray, first, leap.tau);
-            float off = length(leap.step.offX) +
-                        length(leap.step.offW) * params.tracing.z / leap.step.last.w;
-            float allowed = params.tracing.y * leap.tau * leap.step.last.w;
-            float change = 0.9 * pow(max(allowed / max(off, 1.0e-30), 1.0e-6), 1.0 / 3.0);
+            float off = leap.step.offX + leap.step.offW * params.tracing.z / leap.step.last.w;
+            // Below one rounding of w no step gets any better.
+            float allowed = max(params.tracing.y * leap.tau * leap.step.last.w, 6.0e-8 * params.tracing.z);
+            float change = 0.9 * sqrt(sqrt(allowed / max(off, 1.0e-30)));
             leap.longest = leap.tau * clamp(change, 0.2, 4.0);
             good = off <= allowed;
             if (!good) leap.tau = leap.longest;

@@ -73,7 +73,7 @@ Jet jetAt(vec3 x, vec3 w) {
     vec3 curve = vec3(0.0); // ∂²n along each axis
     for (int i = 0; i < 8; ++i) {
         vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
-        vec4 s = texelFetch(field, ivec3(cell) + 1 + ivec3(corner), 0);
+        vec4 s = fieldAt(cell + corner);
         vec3 side = 2.0 * corner - 1.0;
         vec3 weight = mix(1.0 - t, t, corner);
         vec3 across = side * weight.yzx * weight.zxy; // a difference along an axis, linear in others

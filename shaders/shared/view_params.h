@@ -9,9 +9,9 @@ struct ViewParams {
     vec4 forward;      // a pixel's ray: forward + sx right + sy up, or the same added to the eye
     vec4 right;        // [voxel], scaled by the half width of the view
     vec4 up;           // scaled by the half height
-    vec4 march;        // x: step dτ or ds [voxel], y: index outside, w: 1 to write the AOVs
-    vec4 tracing;      // adaptive, x: tolerance [voxel], y: length of a crossing [voxel], z: shortest
-                       // step dτ [voxel]; w: the first step, by stages [voxel]
+    vec4 march;        // x: step dτ or ds [voxel], y: index outside, z: adaptive, shortest dτ [voxel],
+                       // w: by stages, the first dτ [voxel]
+    vec4 tracing;      // adaptive, x: tolerance [voxel], y: length of a crossing [voxel]
     vec4 background;   // rgb radiance; w: 0 none, 1 a colour, 2 the map by centres, 3 by edges
     vec4 mapFromVoxel0; // rows of the rotation from voxel space to the environment map's frame
     vec4 mapFromVoxel1;

@@ -16,6 +16,7 @@ constexpr double kPi = std::numbers::pi;
 struct Mode {
     std::string name;
     std::function<void(view::Params&)> set;
+    double step = 1; ///< [voxel] that its errors are those of; 0: floats alone
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Mode& mode) {
@@ -26,18 +27,44 @@ inline Mode mode(const std::string& name, view::Integrator integrator, double st
     return {name, [=](view::Params& params) {
                 params.integrator = integrator;
                 params.step = step;
-            }};
+            },
+            step};
+}
+
+/// On splines.
+inline Mode cubicMode(const std::string& name, view::Integrator integrator, double step) {
+    return {name, [=](view::Params& params) {
+                params.integrator = integrator;
+                params.interpolation = view::Interpolation::cubic;
+                params.step = step;
+            },
+            step};
+}
+
+/// As exact as fixed steps of that length, or exact but for floats.
+inline Mode adaptiveMode(const std::string& name, double tolerance, double step) {
+    return {name, [=](view::Params& params) {
+                params.integrator = view::Integrator::adaptive;
+                params.tolerance = tolerance;
+            },
+            step};
 }
 
 /// Those that keep |w| = n through an edge some voxels wide.
 inline std::vector<Mode> conservingModes() {
     return {mode("verlet", view::Integrator::verlet, 1),
-            mode("verletFine", view::Integrator::verlet, 0.25)};
+            mode("verletFine", view::Integrator::verlet, 0.25),
+            cubicMode("verletCubic", view::Integrator::verlet, 1),
+            cubicMode("sharma", view::Integrator::sharma, 1),
+            cubicMode("rk4", view::Integrator::rk4, 1),
+            adaptiveMode("adaptive", 0.01, 1)};
 }
 
 /// Those that err by less than 1e-3 of a voxel where the index is smooth.
 inline std::vector<Mode> preciseModes() {
-    return {mode("verletFine", view::Integrator::verlet, 0.0625)};
+    return {mode("verletFine", view::Integrator::verlet, 0.0625),
+            cubicMode("sharmaFine", view::Integrator::sharma, 0.0625),
+            adaptiveMode("adaptiveFine", 1e-4, 0)};
 }
 
 inline std::vector<Mode> allModes() {
