@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -58,6 +59,18 @@ struct Stats {
             return;
         }
         counters.emplace_back(name, amount);
+    }
+
+    /// Lifts a counter to at least that; it starts at 0.
+    void raise(const std::string& name, double least) {
+        count(name, std::max(least - counter(name), 0.0));
+    }
+
+    /// 0 if never mentioned.
+    double counter(const std::string& name) const {
+        for (const auto& [known, value] : counters)
+            if (known == name) return value;
+        return 0;
     }
 
     void effect(const std::string& name, bool on, const std::string& why) {

@@ -47,6 +47,7 @@ struct Account {
 struct Books {
     dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
     std::array<double, 4> counts{}; // photons, steps, deposits, trapped
+    double error = 0;               // the largest, estimated [voxel]
 };
 
 /// The light with its position or direction in voxel space.
@@ -374,6 +375,7 @@ Books Simulation::closeBooks(const ivec2& pixels) {
     Books books;
     for (const Account& account : accounts) {
         books.remaining += dvec3(account.remaining);
+        books.error = std::max(books.error, static_cast<double>(account.remaining.w));
         books.absorbed += dvec3(account.absorbed);
         books.scattered += dvec3(account.scattered);
         books.escaped += dvec3(account.escaped);
@@ -400,6 +402,8 @@ void Simulation::book(const Light& light, double power, const Books& born, const
     }
     const char* names[] = {"photons", "steps", "deposits", "trapped"};
     for (size_t i = 0; i < 4; ++i) mStats.count(names[i], done.counts[i]);
+    if (mPlan.bends && mParams.tracing.integrator == optics::Integrator::adaptive)
+        mStats.raise("position_error_voxels", done.error);
     mStats.count("atomic_adds", done.counts[2] * static_cast<double>(mPlanes.size()));
 }
 

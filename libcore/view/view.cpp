@@ -299,7 +299,7 @@ void Rendering::readCounters() {
             worst = std::max(worst, std::bit_cast<float>(static_cast<std::uint32_t>(value(slot, 3))));
             over += static_cast<double>(value(slot, 4));
         }
-        mStats.count("position_error_voxels", static_cast<double>(worst));
+        mStats.raise("position_error_voxels", static_cast<double>(worst));
         mStats.count("over_tolerance", over);
     }
 }

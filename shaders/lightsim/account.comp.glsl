@@ -8,7 +8,7 @@ layout(std140, binding = 0) uniform Params { PhotonParams params; };
 layout(std430, binding = 1) readonly buffer Photons { Photon photons[]; };
 
 struct Account {
-    vec4 remaining; // weight in the photons, whatever their fate
+    vec4 remaining; // weight in the photons, whatever their fate; w: the largest error [voxel]
     vec4 absorbed;
     vec4 scattered;
     vec4 escaped;
@@ -26,7 +26,9 @@ void main() {
         uint fate = photon.count.x;
         if (fate == kNone) continue;
         vec4 weight = vec4(photon.place.w, photon.wave.w, photon.absorbed.w, 0.0);
-        sum.remaining += weight;
+        float error = uintBitsToFloat(photon.count.w) +
+                      6.0e-8 * params.tracing.z * sqrt(float(photon.count.y)); // roundings, at random
+        sum.remaining = vec4(sum.remaining.xyz + weight.xyz, max(sum.remaining.w, error));
         sum.absorbed += vec4(photon.absorbed.xyz, 0.0);
         sum.scattered += vec4(photon.scattered.xyz, 0.0);
         if (fate == kEscaped) sum.escaped += weight;

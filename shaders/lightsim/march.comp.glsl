@@ -58,22 +58,24 @@ struct Leap {
     Advance step;
     float tau;
     float longest;
+    float off; // estimated error of where the photon leaves [voxel]
 };
 
 Leap leapOf(Ray ray, vec4 first, float tau, float longest) {
     Leap leap;
     leap.tau = tau;
     leap.longest = longest;
+    leap.off = 0.0;
     if (kPath == kAdaptive) {
         bool good = false;
         for (int tries = 0; tries < 12 && !good; ++tries) {
             leap.step = embeddedStep(ray, first, leap.tau);
-            float off = leap.step.offX + leap.step.offW * params.tracing.z / leap.step.last.w;
+            leap.off = leap.step.offX + leap.step.offW * params.tracing.z / leap.step.last.w;
             // Below one rounding of w no step gets any better.
             float allowed = max(params.tracing.y * leap.tau * leap.step.last.w, 6.0e-8 * params.tracing.z);
-            float change = 0.9 * sqrt(sqrt(allowed / max(off, 1.0e-30)));
+            float change = 0.9 * sqrt(sqrt(allowed / max(leap.off, 1.0e-30)));
             leap.longest = leap.tau * clamp(change, 0.2, 4.0);
-            good = off <= allowed;
+            good = leap.off <= allowed;
             if (!good) leap.tau = leap.longest;
         }
     } else if (kPath == kRk4) {
@@ -107,6 +109,7 @@ void main() {
     float unit = params.limits.z;
     vec4 sampled = fieldAt(x);
     float longest = 1.0e6; // adaptive: dτ [voxel]
+    float error = uintBitsToFloat(photon.count.w);
 
     while (steps < last && fate == kAlive) {
         // How far: to the leaf's face, within its limits, and never beyond the domain.
@@ -128,6 +131,7 @@ void main() {
         if (kPath > kVerlet) {
             leap = leapOf(Ray(x, w), sampled, min(tau, longest), longest);
             longest = leap.longest;
+            error += leap.off;
             next = leap.step.ray.x;
         }
         next = clamp(next, centre - halfSize, centre + halfSize);
@@ -236,7 +240,7 @@ void main() {
     photon.wave = vec4(w, weight.y);
     photon.absorbed = vec4(absorbed, weight.z);
     photon.scattered = vec4(scattered, phase);
-    photon.count = uvec4(fate, steps, deposits, 0u);
+    photon.count = uvec4(fate, steps, deposits, floatBitsToUint(error));
     photons[id] = photon;
     if (fate == kAlive) nextList[atomicAdd(nextCount, 1u)] = id;
     if (fullest >= kNearFull) atomicOr(overflowed, 1u);

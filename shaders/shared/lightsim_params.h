@@ -47,5 +47,6 @@ struct Photon {
     vec4 wave;      // w = n dx/ds, and the green weight
     vec4 absorbed;  // weight absorbed so far, RGB; w: the blue weight
     vec4 scattered; // weight scattered so far, RGB; w: the rounding phase in [0, 1)
-    uvec4 count;    // x: what became of it (kNone...), y: steps, z: deposits
+    uvec4 count;    // x: what became of it (kNone...), y: steps, z: deposits; w: adaptive, the bits of
+                    // its error so far, estimated [voxel]
 };

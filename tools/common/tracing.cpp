@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "base/text.h"
 
+#include <cmath>
+
 namespace eikonal::tool {
 
 TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption,
@@ -52,6 +54,18 @@ optics::Tracing TracingOptions::finish() const {
     tracing.integrator = optics::parseIntegrator(integrator);
     if (!mInterpolation.empty()) tracing.interpolation = optics::parseInterpolation(mInterpolation);
     return tracing;
+}
+
+void TracingOptions::warnOf(Session& session, const std::string& rays) const {
+    const Stats& stats = session.stats();
+    const double trapped = stats.counter("trapped");
+    if (trapped > 0)
+        session.warn(toText(trapped) + " " + rays + " used up --max-steps within the volume");
+    const double error = stats.counter("position_error_voxels");
+    if (error > mTracing.tolerance)
+        session.warn(mToleranceOption + " " + toText(mTracing.tolerance) +
+                     " is out of reach of 32-bit floats, or of the longest ways: errors up to " +
+                     toText(std::round(error * 1e6) / 1e6) + " voxels are estimated");
 }
 
 } // namespace eikonal::tool

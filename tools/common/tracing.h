@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/session.h"
 #include "optics/tracing.h"
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,9 @@ public:
     /// A tolerance alone asks for adaptive steps. Throws UsageError where another integrator was
     /// named beside it.
     optics::Tracing finish() const;
+
+    /// Says of a run what did not go as asked: trapped rays, a tolerance out of reach.
+    void warnOf(Session& session, const std::string& rays) const;
 
 private:
     std::string mToleranceOption, mIntegrator = "verlet", mInterpolation;

@@ -159,6 +159,7 @@ void simulate(tool::Session& session, Options& o) {
     } else {
         lightsim::Result result = lightsim::simulate(session.device(), *volume, *plan, o.params,
                                                      session.stats(), session.progress());
+        o.tracing->warnOf(session, "photons");
         session.pass("grids", [&] {
             volume::PutOptions options;
             options.vectorType = "color";

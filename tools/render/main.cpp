@@ -181,6 +181,7 @@ void render(tool::Session& session, Options& o) {
     session.outputs();
     const image::Image picture = view::render(session.device(), *scene, *plan, o.params, map,
                                               session.stats(), session.progress());
+    o.tracing->warnOf(session, "rays");
     session.pass("write", [&] { writePictures(session, o, *scene, picture); });
 }
 
