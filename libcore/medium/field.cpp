@@ -74,7 +74,9 @@ Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOpt
     } else {
         makeSpline(stepped);
         mTexture = makeCubic(device, stepped);
-        values.cubic = vec4(own.squareAtZero, options.verletTau * options.verletTau / 12, 3, 0);
+        const float least = *std::min_element(index.values.begin(), index.values.end());
+        values.cubic = vec4(own.squareAtZero, options.verletTau * options.verletTau / 12, 3,
+                            least * least / 16);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
 }

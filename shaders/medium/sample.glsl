@@ -42,7 +42,8 @@ vec4 fieldAt(vec3 x) {
     }
     // The potential that steps of τ see is higher by τ²/24 |∇U|².
     float square = fieldParams.cubic.x + 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz);
-    return vec4(sum.xyz, sqrt(max(square, 1.0e-12)));
+    // Overshoot beside a jump must not make the index vanish.
+    return vec4(sum.xyz, sqrt(max(square, fieldParams.cubic.w)));
 }
 #elif FIELD == 1
 vec4 fieldAt(vec3 x) {

@@ -33,6 +33,7 @@ test_bad_usage() {
     for option in photons=0 photons=-5 photons=x photons=1e30 tolerance=-1 tolerance=nan \
         tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
         step-min=1e9 max-steps=0 max-steps=100000 drop-below=1 drop-below=-1 drop-below=nan \
+        step=0 step=nan integrator=magic interpolation=nearest trace-tolerance=0 trace-tolerance=nan \
         thin-to=1 thin-to=-0.1 thin-to=nan smoothing=-1 smoothing=65 smoothing=x method=magic \
         outputs=nothing outputs=fluence, outputs= seed=-1 threads=-1 device=nothing \
         progress=loud; do

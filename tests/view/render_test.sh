@@ -46,7 +46,8 @@ test_bad_usage() {
         refuses 64 in.vdb --eye="$value" --target 0,0,0 --fov 30 --size 4x4 -o out.exr
         says '--eye'
     done
-    for value in step=0 step=-1 step=nan step=1e9 max-steps=-1 integrator=magic aov=depth aov=Z, \
+    for value in step=0 step=-1 step=nan step=1e9 max-steps=-1 integrator=magic \
+        interpolation=nearest tolerance=0 tolerance=-1 tolerance=nan tolerance=x aov=depth aov=Z, \
         aov=Z,Z,depth background=-1 background=1,2 background=nan env-up=x env-rotate=nan \
         tone=loud exposure=x seed=-1 threads=-1 device=nothing progress=loud; do
         refuses 64 in.vdb $view -o out.exr "--$value"
@@ -54,6 +55,8 @@ test_bad_usage() {
     done
     refuses 64 in.vdb $view -o out.exr --env env.exr --background 1
     refuses 64 in.vdb $view -o out.exr --aov Z,Z
+    refuses 64 in.vdb $view -o out.exr --tolerance 1 --integrator rk4
+    says '--tolerance'
     refuses 64 in.vdb $view -o out.exr --exposure nan
     refuses 64 in.vdb $view -o out.tif
     says '.tga'
@@ -177,6 +180,24 @@ test_stats() {
     holds stats.json '.counters | .rays > 0 and .rays <= 192 and .steps > .rays and .trapped == 0'
     holds stats.json '.memory | .gpu_peak_bytes > 0 and .rss_peak_bytes > 0'
     holds stats.json '.wall_ms > 0'
+    rm out.exr
+}
+
+test_tolerance() {
+    make_volume rod.vdb size=24,24,48 ior rod:1.5:0.05:all || fail make_volume
+    local look='--eye 0,0,60 --target 0,0,0 --ortho 12 --size 8x8'
+    expect 0 render rod.vdb $look -o out.exr --tolerance 0.01 --stats stats.json
+    grep -q tolerance stderr && fail "it warns of a tolerance that it keeps"
+    holds stats.json '.counters | .position_error_voxels > 0 and .position_error_voxels <= 0.01 and
+        .over_tolerance == 0'
+    expect 0 render rod.vdb $look -o out.exr --tolerance 1e-8 --stats stats.json
+    says 'warning: --tolerance 1e-08 is out of reach'
+    holds stats.json '.counters | .position_error_voxels > 1e-8 and .position_error_voxels < 1e-3 and
+        .over_tolerance == .rays'
+    holds stats.json '.warnings | map(test("out of reach")) | any'
+    expect 0 render rod.vdb $look -o out.exr --max-steps 7 --stats stats.json
+    says 'warning: 64 rays used up --max-steps'
+    holds stats.json '.counters.trapped == 64'
     rm out.exr
 }
 

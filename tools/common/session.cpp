@@ -316,7 +316,10 @@ std::string Session::statsText() const {
             {{"name", pass.name}, {"gpu_ms", pass.gpuMs}, {"cpu_ms", pass.cpuMs}});
     json["counters"] = Json::object();
     for (const auto& [name, value] : mStats.counters)
-        json["counters"][name] = static_cast<std::uint64_t>(value);
+        if (value == std::floor(value))
+            json["counters"][name] = static_cast<std::uint64_t>(value);
+        else
+            json["counters"][name] = value;
     if (mStats.hasEnergy) {
         const Energy& energy = mStats.energy;
         json["energy"] = {{"emitted", rgb(energy.emitted)},   {"entered", rgb(energy.entered)},

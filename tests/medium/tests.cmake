@@ -1,0 +1,1 @@
+eikonal_test(test_medium SOURCES medium/field_test.cpp)
