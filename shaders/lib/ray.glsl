@@ -134,7 +134,7 @@ Advance embeddedStep(Ray ray, vec4 first, float tau) {
                        (23.0 / 54.0) * gd);
     float strength = max(max(dot(ga, ga), dot(gb, gb)), max(dot(gc, gc), dot(gd, gd)));
     float off = sqrt(dot(offW, offW));
-    float share = sqrt(off / max(tau * sqrt(strength), 1.0e-20));
+    float share = 2.0 * sqrt(off / max(tau * sqrt(strength), 1.0e-20)); // 2: an oscillator's error
     return Advance(Ray(x, w), opticalOf(ray.w, w, ga, gd, tau), d, share * sqrt(dot(offX, offX)),
                    share * off);
 }

@@ -59,6 +59,17 @@ Ray rodSolution(double tau) {
             {r.w.x * c - r.x.x * f * s, r.w.y * c - r.x.y * f * s, r.w.z}};
 }
 
+/// ∫ n² dτ along it: n₀² τ less f² ∫ r² dτ, axis by axis.
+double rodOptical(double tau) {
+    const double f = kN0 * kG, c = std::cos(f * tau), s = std::sin(f * tau);
+    const auto squares = [&](double x, double w) { // ∫ (x cos + w/f sin)² dτ
+        const double v = w / f;
+        return 0.5 * (x * x + v * v) * tau + 0.5 * (x * x - v * v) * s * c / f + x * v * s * s / f;
+    };
+    const Ray r = kRodRay;
+    return kN0 * kN0 * tau - f * f * (squares(r.x.x, r.w.x) + squares(r.x.y, r.w.y));
+}
+
 double errorOf(const Ray& a, const Ray& b) {
     return glm::length(a.x - b.x) + glm::length(a.w - b.w);
 }
@@ -66,6 +77,63 @@ double errorOf(const Ray& a, const Ray& b) {
 /// log₂ of the error's ratio as the steps are halved.
 double orderOf(const std::function<Ray(int)>& trace, const Ray& exact) {
     return std::log2(errorOf(trace(200), exact) / errorOf(trace(400), exact));
+}
+
+struct Traced {
+    Ray ray;
+    double optical = 0;
+};
+
+/// Equal steps of the schemes that look up several times.
+Traced staged(const std::function<Advance(Ray, double)>& step, double length, int steps) {
+    theField = rod;
+    Traced traced{kRodRay};
+    for (int i = 0; i < steps; ++i) {
+        const Advance next = step(traced.ray, length / steps);
+        traced.ray = next.ray;
+        traced.optical += next.optical;
+    }
+    return traced;
+}
+
+/// The rod's potential as Verlet steps of tau should see it, U + τ²/24 |∇U|²: the same oscillator,
+/// a little softer.
+vec4 softRod(vec3 x, double tau) {
+    const double k = kN0 * kN0 * kG * kG;
+    const vec4 field = rod(x);
+    return {(1 - k * tau * tau / 12) * vec3(field), field.w};
+}
+
+/// A run of equal Verlet steps with what is due at its ends.
+Traced corrected(double length, int steps) {
+    const double tau = length / steps, k = kN0 * kN0 * kG * kG;
+    const auto force = [&](const Ray& r) { return vec3(softRod(r.x, tau)); };
+    const auto bend = [&](const Ray& r) { return -k * vec3(r.w.x, r.w.y, 0); };
+    Traced traced{kRodRay};
+    Ray& ray = traced.ray;
+    traced.optical += verletOpticalEnd(ray.w, force(ray), tau);
+    ray = toVerlet(ray, force(ray), bend(ray), tau);
+    for (int i = 0; i < steps; ++i) {
+        const Ray next = verletStep(ray, softRod(verletMiddle(ray, tau), tau), tau);
+        traced.optical += verletOptical(ray.w, next.w, tau);
+        ray = next;
+    }
+    ray = fromVerlet(ray, force(ray), bend(ray), tau);
+    traced.optical -= verletOpticalEnd(ray.w, force(ray), tau);
+    return traced;
+}
+
+/// The orders of position and optical path length, log₂ of the errors' ratio from 40 to 80 steps.
+void expectOrder(const std::function<Traced(int)>& trace, double tau, double order) {
+    const Traced coarse = trace(40), fine = trace(80);
+    const Ray exact = rodSolution(tau);
+    const double position = std::log2(errorOf(coarse.ray, exact) / errorOf(fine.ray, exact));
+    const double optical = std::log2(std::abs(coarse.optical - rodOptical(tau)) /
+                                     std::abs(fine.optical - rodOptical(tau)));
+    // f τ/n is 0.09: the next order is some per cent.
+    EXPECT_GT(position, order - 0.2);
+    EXPECT_GT(optical, order - 0.2);
+    EXPECT_LT(errorOf(fine.ray, exact), 2e-5);
 }
 
 } // namespace
@@ -101,6 +169,54 @@ TEST(RaySteps, EulerIsOfFirstOrderOnAGrinRod) {
     // The next order is f² τ/2n = 0.5 % of the error.
     EXPECT_NEAR(orderOf([&](int n) { return euler(kRodRay, rod, tau, n); }, rodSolution(tau)), 1,
                 0.05);
+}
+
+TEST(RaySteps, StagesAreOfFourthOrderAndSoAreCorrectedVerletSteps) {
+    const double tau = 12;
+    expectOrder([&](int n) { return staged(sharmaStep, tau, n); }, tau, 4);
+    expectOrder([&](int n) { return staged(rk4Step, tau, n); }, tau, 4);
+    expectOrder([&](int n) { return corrected(tau, n); }, tau, 4);
+    const auto embedded = [](Ray ray, double h) { return embeddedStep(ray, rod(ray.x), h); };
+    expectOrder([&](int n) { return staged(embedded, tau, n); }, tau, 4);
+}
+
+TEST(RaySteps, AnEmbeddedStepKnowsItsError) {
+    theField = rod;
+    // Steps of 0.06 to 0.5 of the oscillator's radian: never less than the error is, nor so much
+    // more that the steps would be three times too short.
+    for (const double tau : {1.6, 0.8, 0.4, 0.2}) {
+        const Advance step = embeddedStep(kRodRay, rod(kRodRay.x), tau);
+        const Ray exact = rodSolution(tau);
+        const double off = glm::length(step.ray.x - exact.x) + glm::length(step.ray.w - exact.w);
+        EXPECT_GT(step.offX + step.offW, off) << tau;
+        EXPECT_LT(step.offX + step.offW, 243 * off) << tau;
+    }
+}
+
+TEST(RaySteps, TheInterpolantFollowsTheRayWithinAStep) {
+    const double tau = 0.4;
+    const Ray end = rodSolution(tau);
+    for (const double f : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+        const Ray there = between(kRodRay, end, tau, f), exact = rodSolution(f * tau);
+        // A cubic by both ends is off by τ⁴/384 times the fourth derivative, 0.008, at most; its
+        // slope by some ten times that over τ.
+        EXPECT_NEAR(glm::length(there.x - exact.x), 0, 1e-6) << f;
+        EXPECT_NEAR(glm::length(there.w - exact.w), 0, 2e-5) << f;
+    }
+    EXPECT_LT(errorOf(between(kRodRay, end, tau, 0), kRodRay), 1e-15);
+    EXPECT_LT(errorOf(between(kRodRay, end, tau, 1), end), 1e-14);
+}
+
+TEST(Spline, WeightsReproduceCubics) {
+    for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
+        const vec4 w = splineWeights(t), s = splineSlopes(t);
+        EXPECT_NEAR(w.x + w.y + w.z + w.w, 1, 1e-15);
+        EXPECT_NEAR(s.x + s.y + s.z + s.w, 0, 1e-15);
+        // Coefficients i³ − i are those of the cubic x³: c = f − f''/6.
+        const vec4 c(0, 0, 0, 6); // at −1, 0, 1, 2
+        EXPECT_NEAR(glm::dot(c, w), t * t * t, 1e-15);
+        EXPECT_NEAR(glm::dot(c, s), 3 * t * t, 1e-14);
+    }
 }
 
 TEST(RaySteps, VerletKeepsItsIndexOverManyTurnsWhereEulerLosesIt) {

@@ -17,7 +17,8 @@ TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption
         app.add_option("--integrator", mIntegrator,
                        "euler (the older papers' scheme, first order), verlet (one look-up a step), "
                        "sharma (fourth order, three), rk4 (four), adaptive (keeps to " +
-                           toleranceOption + ")")
+                           toleranceOption +
+                           "); the default is the cheapest at its error (docs/accuracy.md)")
             ->check(CLI::IsMember(optics::integratorNames()))
             ->capture_default_str()
             ->group(kGroup);
