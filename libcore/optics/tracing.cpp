@@ -35,6 +35,14 @@ Interpolation Tracing::sampling() const {
     return oneLookUp ? Interpolation::linear : Interpolation::cubic;
 }
 
+std::string Tracing::text() const {
+    std::string text = integratorNames()[static_cast<size_t>(integrator)];
+    text += sampling() == Interpolation::linear ? ", linear" : ", cubic";
+    if (integrator == Integrator::adaptive) text += ", to " + toText(tolerance) + " voxels";
+    if (step > 0) text += ", steps up to " + toText(step) + " voxels";
+    return text;
+}
+
 void Tracing::check(const std::string& toleranceOption) const {
     if (!(step == 0 || (step >= 1e-3 && step <= 1e3)))
         throw UsageError("--step: found " + toText(step) + ", expected 0.001 to 1000 voxels");

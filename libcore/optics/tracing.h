@@ -45,6 +45,8 @@ struct Tracing {
     /// The shaders' switch PATH: 0 straight, then in the order of Integrator.
     int pathSwitch(bool bends) const { return bends ? 1 + static_cast<int>(integrator) : 0; }
 
+    /// In words, for people: "adaptive, cubic, to 0.01 voxels".
+    std::string text() const;
     /// Throws UsageError naming the option that is wrong; the tolerance's is `toleranceOption`.
     void check(const std::string& toleranceOption) const;
 };

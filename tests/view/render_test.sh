@@ -160,6 +160,7 @@ test_devices() {
 test_explains() {
     expect 0 render in.vdb $view --explain
     prints '^refraction: on'
+    prints '^tracing: verlet, linear'
     prints '^absorption: on'
     prints '^scattering: off'
     prints '^environment: off'

@@ -146,7 +146,8 @@ void simulate(tool::Session& session, Options& o) {
             {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
                             " x " + std::to_string(plan->size.z)},
              {"lights", std::to_string(o.params.lights.size())},
-             {"photons", std::to_string(o.params.photons) + " per light at most"}});
+             {"photons", std::to_string(o.params.photons) + " per light at most"},
+             {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
         return;
     }
     session.stats().effects = plan->effects;

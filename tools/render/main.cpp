@@ -173,7 +173,8 @@ void render(tool::Session& session, Options& o) {
             plan->effects, plan->warnings,
             {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
                             " x " + std::to_string(plan->size.z)},
-             {"picture", o.size}});
+             {"picture", o.size},
+             {"tracing", plan->bends ? o.params.text() : "straight"}});
         return;
     }
     session.stats().effects = plan->effects;
