@@ -1,4 +1,5 @@
-# The front door: make, make demo, make test, make bench, make docs, make format, make bundle.
+# The front door: make, make demo, make test, make bench, make accuracy, make docs, make format,
+# make bundle.
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
@@ -9,7 +10,8 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := mesh2vol volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test bench docs golden format install bundle clean
+.PHONY: all packages configure demo animation test bench accuracy docs golden format install \
+        bundle clean
 
 all: configure
 	cmake --build $(BUILD) -j $(JOBS)
@@ -43,6 +45,16 @@ bench: packages
 	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
 	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench \
 	  --bunny data/bunny.off
+
+# What every knob that trades accuracy for time costs and gives: docs/accuracy.md and its plots.
+# ACCURACY=quick takes minutes, full most of an hour; stopped, it goes on where it was.
+ACCURACY ?= full
+accuracy: packages
+	$(MAKE) all
+	mkdir -p docs/accuracy
+	$(BUILD)/tests/accuracy --work $(OUT)/accuracy --json $(OUT)/accuracy.json --effort $(ACCURACY) \
+	  --page docs/accuracy.md
+	gnuplot -e "work='$(OUT)/accuracy'; docs='docs/accuracy'" pipelines/accuracy.gp
 
 # docs/tools/*.md from --help.
 docs: all
