@@ -29,7 +29,11 @@ size_t placeOf(const Potential& potential, int x, int y, int z) {
 gpu::Texture makeLinear(gpu::Device& device, const Potential& own, const Potential& stepped,
                         bool unbiased) {
     gpu::Texture field(device, own.size + 2, gpu::TexelFormat::rgba32f, gpu::Filter::linear);
-    field.upload(gradientSamples(own, stepped, unbiased).data());
+    const int slab = 16; // slices at a time, so that the host never holds the whole
+    for (int z = 0; z < field.size().z; z += slab) {
+        const int count = std::min(slab, field.size().z - z);
+        field.uploadSlices(z, count, gradientSamples(own, stepped, unbiased, z, count).data());
+    }
     return field;
 }
 

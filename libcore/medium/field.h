@@ -28,7 +28,8 @@ public:
     Field() = default;
     /// An index that does not vary.
     Field(gpu::Device& device, float constant);
-    /// `index` has one value per voxel, all above 0. Throws MemoryError if the device can't hold it.
+    /// `index` has one value per voxel, all above 0. Throws MemoryError if the device can't hold
+    /// it.
     Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOptions& options);
 
     /// At the unit and binding that shaders/medium/sample.glsl names.

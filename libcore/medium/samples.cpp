@@ -53,7 +53,8 @@ void extendBeyond(float* face, std::ptrdiff_t inward, int count, double floorOf,
     const auto inside = [&](int i) { return static_cast<double>(face[i * inward]); };
     std::array<double, kMargin> curves{};
     if (count >= 4)
-        curves = curvesBeyond(f0 - 2 * inside(1) + inside(2), inside(1) - 2 * inside(2) + inside(3));
+        curves =
+            curvesBeyond(f0 - 2 * inside(1) + inside(2), inside(1) - 2 * inside(2) + inside(3));
     const double least = floorOf * (f0 + zero) - zero;
     double near = f0, behind = count >= 2 ? inside(1) : f0;
     for (int k = 0; k < kMargin; ++k) {
@@ -127,38 +128,37 @@ void correctForVerlet(Potential& potential, double tau) {
 }
 
 std::vector<glm::vec4> gradientSamples(const Potential& own, const Potential& stepped,
-                                       bool unbiased) {
+                                       bool unbiased, int first, int count) {
     const ivec3 outer = own.outer(), padded = own.size + 2;
     const std::ptrdiff_t strides[] = {1, outer.x, std::ptrdiff_t{outer.x} * outer.y};
-    std::vector<glm::vec4> samples(static_cast<size_t>(padded.x) * padded.y * padded.z);
+    std::vector<glm::vec4> samples(static_cast<size_t>(padded.x) * padded.y * count);
     const float third = unbiased ? 0.25f : 0.0f, across = unbiased ? 1.0f / 12 : 0.0f;
-    std::vector<float> index(own.values.size());
     const auto square = static_cast<float>(own.squareAtZero);
-    for (size_t i = 0; i < index.size(); ++i) index[i] = std::sqrt(square + 2 * own.values[i]);
-    forEachSlice(padded.z, [&](int z) {
+    const auto indexOf = [=](float potential) { return std::sqrt(square + 2 * potential); };
+    forEachSlice(count, [&](int z) {
         for (int y = 0; y < padded.y; ++y) {
-            const std::ptrdiff_t row =
-                (z + kMargin - 1) * strides[2] + (y + kMargin - 1) * strides[1] + kMargin - 1;
-            glm::vec4* out =
-                samples.data() + (static_cast<size_t>(z) * padded.y + y) * padded.x;
+            const std::ptrdiff_t row = (first + z + kMargin - 1) * strides[2] +
+                                       (y + kMargin - 1) * strides[1] + kMargin - 1;
+            glm::vec4* out = samples.data() + (static_cast<size_t>(z) * padded.y + y) * padded.x;
             for (int axis = 0; axis < 3; ++axis) {
                 const std::ptrdiff_t a = strides[axis], b = strides[(axis + 1) % 3],
                                      c = strides[(axis + 2) % 3];
                 for (int x = 0; x < padded.x; ++x) {
                     const float* p = stepped.values.data() + row + x;
-                    const float first = p[a] - p[-a];
-                    const float wide = p[2 * a] - p[-2 * a] - 2 * first;
+                    const float near = p[a] - p[-a];
+                    const float wide = p[2 * a] - p[-2 * a] - 2 * near;
                     const float sides = (p[b + a] - p[b - a]) + (p[a - b] - p[-a - b]) +
                                         (p[c + a] - p[c - a]) + (p[a - c] - p[-a - c]);
-                    out[x][axis] = 0.5f * (first - third * wide - across * (sides - 4 * first));
+                    out[x][axis] = 0.5f * (near - third * wide - across * (sides - 4 * near));
                 }
             }
             for (int x = 0; x < padded.x; ++x) {
-                const float* n = index.data() + row + x;
-                float curve = -6 * *n;
-                for (const std::ptrdiff_t s : strides) curve += n[s] + n[-s];
+                const float* p = own.values.data() + row + x;
+                const float n = indexOf(*p);
+                float curve = -6 * n;
+                for (const std::ptrdiff_t s : strides) curve += indexOf(p[s]) + indexOf(p[-s]);
                 // Overshoot beside a jump must not make the index vanish.
-                out[x].w = std::max(*n - across * curve, 0.25f * *n);
+                out[x].w = std::max(n - across * curve, 0.25f * n);
             }
         }
     });

@@ -34,8 +34,8 @@ struct Tracing {
     std::optional<Interpolation> interpolation;
     double step = 0;         ///< longest step [voxel]; 0: usualStep()
     double tolerance = 0.01; ///< adaptive: error of a ray's exit [voxel]
-    /// Central differences as they are, not made unbiased under linear interpolation: as the sources
-    /// have it, for comparison. Euler steps take them in any case.
+    /// Central differences as they are, not made unbiased under linear interpolation: as the
+    /// sources have it, for comparison. Euler steps take them in any case.
     bool plainSamples = false;
 
     Interpolation sampling() const;

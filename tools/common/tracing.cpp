@@ -14,11 +14,12 @@ TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption
     : mToleranceOption(toleranceOption) {
     const char* const kGroup = "Tracing";
     mIntegratorOption =
-        app.add_option("--integrator", mIntegrator,
-                       "euler (the older papers' scheme, first order), verlet (one look-up a step), "
-                       "sharma (fourth order, three), rk4 (four), adaptive (keeps to " +
-                           toleranceOption +
-                           "); the default is the cheapest at its error (docs/accuracy.md)")
+        app.add_option(
+               "--integrator", mIntegrator,
+               "euler (the older papers' scheme, first order), verlet (one look-up a step), "
+               "sharma (fourth order, three), rk4 (four), adaptive (keeps to " +
+                   toleranceOption +
+                   "); the default is the cheapest at its error (docs/accuracy.md)")
             ->check(CLI::IsMember(optics::integratorNames()))
             ->capture_default_str()
             ->group(kGroup);
