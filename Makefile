@@ -1,5 +1,5 @@
-# The front door: make, make demo, make test, make bench, make accuracy, make docs, make format,
-# make bundle.
+# The front door: make, make demo, make test, make bench, make accuracy, make effects, make docs,
+# make format, make bundle.
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
@@ -10,8 +10,8 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := mesh2vol volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test bench accuracy docs golden format install \
-        bundle clean
+.PHONY: all packages configure demo animation test bench accuracy effects docs golden format \
+        install bundle clean
 
 all: configure
 	cmake --build $(BUILD) -j $(JOBS)
@@ -55,6 +55,12 @@ accuracy: packages
 	$(BUILD)/tests/accuracy --work $(OUT)/accuracy --json $(OUT)/accuracy.json --effort $(ACCURACY) \
 	  --page docs/accuracy.md
 	gnuplot -e "work='$(OUT)/accuracy'; docs='docs/accuracy'" pipelines/accuracy.gp
+
+# What each effect costs where it is and where it is not: docs/effects.md and out/effects.json.
+effects: packages
+	$(MAKE) all
+	mkdir -p $(OUT)
+	$(BUILD)/tests/effects --json $(OUT)/effects.json --page docs/effects.md --work $(OUT)/effects
 
 # docs/tools/*.md from --help.
 docs: all

@@ -1,0 +1,280 @@
+// Scenes that differ from refraction alone by one thing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "effects.h"
+
+#include "lightsim/lightsim.h"
+#include "view/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+
+namespace effects {
+
+using namespace eikonal;
+using glm::dvec3;
+
+namespace {
+
+using Value = std::function<dvec3(dvec3)>;
+
+/// A box of edge 2 about the origin, every voxel of every grid active.
+class SceneVolume {
+public:
+    explicit SceneVolume(int voxels) : mVoxels(voxels), mVolume(frameOf(voxels)) {}
+
+    SceneVolume& add(const std::string& grid, int components, const Value& value) {
+        const double h = 2.0 / mVoxels;
+        volume::DenseGrid dense{glm::ivec3(mVoxels), components, {}};
+        dense.values.reserve(dense.voxels() * static_cast<size_t>(components));
+        for (int z = 0; z < mVoxels; ++z)
+            for (int y = 0; y < mVoxels; ++y)
+                for (int x = 0; x < mVoxels; ++x) {
+                    const dvec3 v = value((dvec3(x, y, z) + 0.5) * h - 1.0);
+                    for (int c = 0; c < components; ++c)
+                        dense.values.push_back(static_cast<float>(v[c]));
+                }
+        volume::PutOptions options;
+        options.allActive = true;
+        options.background = glm::vec3(grid == "ior" ? 1.0f : 0.0f);
+        mVolume.put(grid, {glm::ivec3(0), glm::ivec3(mVoxels - 1)}, dense, options);
+        return *this;
+    }
+    SceneVolume& constant(const std::string& grid, int components, const dvec3& value) {
+        return add(grid, components, [=](dvec3) { return value; });
+    }
+    /// A blurred ball of radius ½ and index 1.5.
+    SceneVolume& ball() {
+        const double blur = 3.0 / mVoxels;
+        return add("ior", 1, [=](dvec3 p) {
+            return dvec3(1 + 0.25 * std::erfc((glm::length(p) - 0.5) / blur / std::sqrt(2.0)));
+        });
+    }
+    volume::Volume take() { return std::move(mVolume); }
+
+private:
+    static volume::Frame frameOf(int voxels) {
+        volume::Frame frame;
+        frame.voxelSize = 2.0 / voxels;
+        for (int i = 0; i < 3; ++i) {
+            frame.worldFromIndex[i][i] = frame.voxelSize;
+            frame.worldFromIndex[3][i] = -1 + 0.5 * frame.voxelSize;
+        }
+        return frame;
+    }
+    int mVoxels;
+    volume::Volume mVolume;
+};
+
+using Fill = std::function<void(SceneVolume&)>;
+
+volume::Volume volumeOf(const Scale& scale, bool bends, const Fill& fill) {
+    SceneVolume scene(scale.voxels);
+    if (bends)
+        scene.ball();
+    else
+        scene.constant("ior", 1, dvec3(1));
+    if (fill) fill(scene);
+    return scene.take();
+}
+
+// Thin enough for every photon and ray to go on to its end.
+const dvec3 kGrey(0.1), kRgb(0.05, 0.1, 0.15);
+
+/// A small cube in a corner, which few rays meet: what is priced is looking out for it.
+dvec3 inCorner(const dvec3& p) {
+    return dvec3(std::min({p.x, p.y, p.z}) > 0.75 ? 1.0 : 0.0);
+}
+
+Fill fill(const std::string& grid, int components, const dvec3& value) {
+    return [=](SceneVolume& scene) { scene.constant(grid, components, value); };
+}
+
+void addHaze(SceneVolume& scene) {
+    scene.constant("scattering", 3, kGrey).constant("fluence", 3, dvec3(1));
+}
+
+void addLobes(SceneVolume& scene) {
+    addHaze(scene);
+    scene.constant("anisotropy", 1, dvec3(0.5)).constant("light_direction", 3, dvec3(0, -1, 0));
+}
+
+void addSurface(SceneVolume& scene) {
+    scene.add("opacity", 1, inCorner).constant("albedo", 3, dvec3(0.5));
+    scene.constant("fluence", 3, dvec3(1));
+}
+
+double passMs(const Stats& stats, const std::string& name) {
+    for (const PassTime& pass : stats.passes)
+        if (pass.name == name) return pass.gpuMs;
+    return 0;
+}
+
+double counter(const Stats& stats, const std::string& name) {
+    for (const auto& [known, value] : stats.counters)
+        if (known == name) return value;
+    return 0;
+}
+
+view::Params viewParams(const Scale& scale) {
+    view::Params params;
+    params.camera.eye = {0.2, 0.5, 3.2};
+    params.camera.fov = 34;
+    params.camera.width = scale.width;
+    params.camera.rows = scale.rows;
+    params.background = dvec3(0.5);
+    return params;
+}
+
+Case viewCase(const std::string& name, volume::Volume volume, const view::Params& params,
+              const std::optional<image::Image>& map = {}) {
+    std::vector<volume::Volume> volumes;
+    volumes.push_back(std::move(volume));
+    const auto scene = std::make_shared<view::Scene>(std::move(volumes));
+    const auto plan = std::make_shared<view::Plan>(view::makePlan(*scene, params, map.has_value()));
+    return {name, kViewKernel, false, [=](gpu::Device& device) {
+                Stats stats;
+                image::Image picture = view::render(device, *scene, *plan, params, map, stats, {});
+                return Outcome{passMs(stats, "view"), counter(stats, "steps"),
+                               std::move(picture.pixels)};
+            }};
+}
+
+lightsim::Params photonParams(const Scale& scale) {
+    lightsim::Params params;
+    params.lights.push_back(lightsim::parseLight("directional:0.2,-1,0.1"));
+    params.photons = scale.photons;
+    params.smoothing = 0; // a pass of its own
+    // In a vacuum nothing asks for light; and where one thing more is stored, it is said.
+    params.automaticOutputs = false;
+    params.outputs = lightsim::Output::fluence;
+    return params;
+}
+
+Case photonCase(const std::string& name, volume::Volume made, const lightsim::Params& params) {
+    const auto volume = std::make_shared<volume::Volume>(std::move(made));
+    const auto plan = std::make_shared<lightsim::Plan>(lightsim::makePlan(*volume, params));
+    return {name, kPhotonKernel, false, [=](gpu::Device& device) {
+                Stats stats;
+                lightsim::Result result =
+                    lightsim::simulate(device, *volume, *plan, params, stats, {});
+                return Outcome{passMs(stats, "photons"), counter(stats, "steps"),
+                               std::move(result.fluence.values)};
+            }};
+}
+
+image::Image mapOfStripes() {
+    image::Image map(64, 32);
+    std::vector<float> samples;
+    for (size_t i = 0; i < map.area(); ++i)
+        for (int c = 0; c < 3; ++c) samples.push_back(i % 8 < 4 ? 0.2f : 0.9f);
+    map.addChannels({"R", "G", "B"}, samples, 3);
+    return map;
+}
+
+/// One case for every way of stepping that is not the usual one, made by `make` from its Tracing.
+template<typename Make> void addTracing(std::vector<Case>& cases, const Make& make) {
+    using optics::Integrator;
+    using optics::Interpolation;
+    const auto add = [&](const char* name, Integrator integrator, Interpolation interpolation) {
+        optics::Tracing tracing;
+        tracing.integrator = integrator;
+        tracing.interpolation = interpolation;
+        cases.push_back(make(name, tracing));
+        cases.back().isTracing = true;
+    };
+    add("cubic interpolation", Integrator::verlet, Interpolation::cubic);
+    add("Euler", Integrator::euler, Interpolation::linear);
+    add("Sharma, linear", Integrator::sharma, Interpolation::linear);
+    add("Sharma, cubic", Integrator::sharma, Interpolation::cubic);
+    add("RK4, linear", Integrator::rk4, Interpolation::linear);
+    add("adaptive, cubic", Integrator::adaptive, Interpolation::cubic);
+}
+
+} // namespace
+
+std::vector<Case> viewCases(const Scale& scale) {
+    const view::Params params = viewParams(scale);
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, const Fill& more) {
+        cases.push_back(viewCase(name, volumeOf(scale, true, more), params));
+    };
+    add("refraction alone", {});
+    add("absorption, grey", fill("absorption", 3, kGrey));
+    add("absorption, RGB", fill("absorption", 3, kRgb));
+    add("scattering, isotropic", addHaze);
+    add("scattering, lobes", addLobes);
+    add("emission", fill("emission", 3, kGrey));
+    add("lobes and emission", [](SceneVolume& scene) {
+        addLobes(scene);
+        scene.constant("emission", 3, kGrey);
+    });
+    cases.push_back(viewCase("environment map", volumeOf(scale, true, {}), params, mapOfStripes()));
+    add("opaque surface", addSurface);
+    view::Params withAovs = params;
+    withAovs.aovs = view::allAovs();
+    cases.push_back(viewCase("all AOVs", volumeOf(scale, true, {}), withAovs));
+    addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
+        view::Params changed = params;
+        static_cast<optics::Tracing&>(changed) = tracing;
+        return viewCase(name, volumeOf(scale, true, {}), changed);
+    });
+    return cases;
+}
+
+std::vector<Case> photonCases(const Scale& scale) {
+    const lightsim::Params params = photonParams(scale);
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, const Fill& more) {
+        cases.push_back(photonCase(name, volumeOf(scale, true, more), params));
+    };
+    add("refraction alone", {});
+    add("absorption, grey", fill("absorption", 3, kGrey));
+    add("absorption, RGB", fill("absorption", 3, kRgb));
+    // Above ¼ along a voxel's diagonal in the corner.
+    const double depth = 0.3 * scale.voxels / 2 / std::sqrt(3.0);
+    add("absorption, dense", [=](SceneVolume& scene) {
+        scene.add("absorption", 3, [=](dvec3 p) { return kGrey + inCorner(p) * depth; });
+    });
+    lightsim::Params both = params;
+    both.outputs = lightsim::Output::both;
+    cases.push_back(photonCase("direction", volumeOf(scale, true, {}), both));
+    add("opaque surface", [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); });
+    addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
+        lightsim::Params changed = params;
+        changed.tracing = tracing;
+        return photonCase(name, volumeOf(scale, true, {}), changed);
+    });
+    return cases;
+}
+
+Case straightViewCase(const Scale& scale) {
+    return viewCase("absorption alone", volumeOf(scale, false, fill("absorption", 3, kGrey)),
+                    viewParams(scale));
+}
+
+Case straightPhotonCase(const Scale& scale) {
+    return photonCase("absorption alone", volumeOf(scale, false, fill("absorption", 3, kGrey)),
+                      photonParams(scale));
+}
+
+Case emptyGridsCase(const Scale& scale, const std::string& kernel) {
+    const auto zeros = [](SceneVolume& scene) {
+        for (const char* grid : {"absorption", "scattering", "emission", "fluence"})
+            scene.constant(grid, 3, dvec3(0));
+        for (const char* grid : {"anisotropy", "opacity"}) scene.constant(grid, 1, dvec3(0));
+    };
+    volume::Volume volume = volumeOf(scale, true, zeros);
+    return kernel == kViewKernel
+               ? viewCase("empty grids", std::move(volume), viewParams(scale))
+               : photonCase("empty grids", std::move(volume), photonParams(scale));
+}
+
+std::uint64_t peakBytesOf(const Case& one) {
+    gpu::Device device(gpu::DeviceChoice{});
+    one.run(device);
+    return device.peakBytes();
+}
+
+} // namespace effects
