@@ -24,6 +24,7 @@ do for [plot in plots] {
             set xlabel "time of the view pass, sources' scheme = 1"
             set ylabel "rms error of exits, sources' scheme = 1"
             set format x "%g"
+            set xtics (0.25, 0.5, 1, 2, 4, 8, 16, 32, 64)
             set key top right
             plot work."/rays.csv" skip 1 using 2:3 with points pt 7 ps 0.5 lc rgb "#888888" \
                      title "settings", \
@@ -33,6 +34,7 @@ do for [plot in plots] {
                      offset 0.6,0.3 font ",9" notitle, \
                  work."/rays.csv" every ::1::1 using 2:3:1 with labels left offset 0.8,0 \
                      font ",9" notitle
+            set xtics auto
         }
         if (plot eq "photons") {
             set xlabel "device time [ms]"
@@ -46,7 +48,7 @@ do for [plot in plots] {
             set xlabel "voxels along an edge"
             set ylabel "rms error of exits [1/128 of the box]"
             set format x "%g"
-            set xtics (32, 64, 128, 256)
+            set xtics (16, 32, 64, 128, 256)
             plot for [i=2:5] work."/voxels.csv" using 1:i with linespoints pt 7 lw 2 \
                      title columnheader(i)
             set xtics auto
@@ -56,9 +58,11 @@ do for [plot in plots] {
             set ylabel "rms error of exits from those of short steps [voxel]"
             set format x "%g"
             set key bottom right
+            set xtics (0.25, 0.5, 1, 2, 4, 8, 16)
             stats work."/steps.csv" skip 1 nooutput
             plot for [i=2:STATS_columns] work."/steps.csv" using 1:i with linespoints pt 7 lw 2 \
                      title columnheader(i)
+            set xtics auto
             set key bottom left
         }
         set output

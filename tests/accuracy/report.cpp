@@ -171,7 +171,7 @@ void writeSettings(std::ostringstream& out, const std::vector<Json>& rows, const
 
 void writeOrders(std::ostringstream& out, const Summary& summary) {
     out << "## Orders, and rays that go round\n\n"
-        << "The slope over the finest octave whose errors are well above those of floats (5e-4 "
+        << "The slope over the finest octave whose errors are well above those of floats (3e-4 "
            "voxel, and three times the least of the row), median over the fields that have one. "
            "In the step against short steps in the same "
            "voxels, in the voxel against the formula.\n\n";
