@@ -73,7 +73,7 @@ struct Case {
 struct Scale {
     int voxels = 64; ///< along an edge
     int width = 320, rows = 240;
-    std::int64_t photons = 1 << 16;
+    std::int64_t photons = 1 << 17;
 };
 
 /// The first is refraction alone; every other adds one thing to it.

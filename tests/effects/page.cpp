@@ -143,7 +143,7 @@ std::string pageOf(const Json& r) {
     std::string page = "# What each effect costs\n\n";
     page +=
         "Written by `make effects`, from `out/effects.json`. Measured on " +
-        r["device"].get<std::string>() + " (" + r["version"].get<std::string>() + "), " +
+        r["device"].get<std::string>() + ", OpenGL " + r["version"].get<std::string>() + ", " +
         text(
             "%d cores, with a blurred ball of index 1.5 in %d³ voxels, %d×%d pixels and %d photons "
             "from one side.\n\n",
