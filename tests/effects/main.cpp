@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
     effects::Scale scale;
     std::string json, page, work;
-    int rounds = 31;
+    int rounds = 25;
     bool again = false;
     CLI::App app("Prices every effect.", "effects");
     app.add_option("--json", json, "file for the results")->required();
