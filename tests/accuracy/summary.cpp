@@ -37,6 +37,7 @@ std::string settingOf(const Json& row) {
 /// The slope of the error over the finest octave of `x` in which it is not yet of floats.
 std::optional<double> finestSlope(const std::vector<double>& x, const std::vector<double>& error) {
     std::optional<double> slope;
+    if (error.empty()) return slope; // a run of some rows only
     double finest = 1e300;
     const double floats = std::max(kFloatError, 3 * *std::min_element(error.begin(), error.end()));
     for (size_t i = 0; i < x.size(); ++i)
@@ -87,7 +88,7 @@ void addSettings(Summary& summary, const std::vector<Json>& rows) {
     int smooth = 0;
     for (const Field& field : fields()) smooth += field.smooth ? 1 : 0;
     for (const Json& row : partOf(rows, "rays")) {
-        if (!fieldNamed(row["field"]).smooth) continue;
+        if (!fieldNamed(row["field"]).smooth || !base.contains(row["field"])) continue;
         const std::string name = settingOf(row);
         if (!sums.contains(name)) order.push_back(name);
         options[name] = optionsOf(row);
