@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -70,14 +71,18 @@ std::vector<Setting> settingsOf(bool full) {
     std::vector<Setting> all{sources(), usual()};
     const auto add = [&](const std::string& integrator, const std::string& interpolation,
                          std::vector<double> steps, bool plain = false) {
-        for (const double step : steps)
-            all.push_back(fixed(integrator, interpolation, step, plain));
+        for (const double step : steps) {
+            const Setting next = fixed(integrator, interpolation, step, plain);
+            const auto same = [&](const Setting& other) { return other.name() == next.name(); };
+            if (std::none_of(all.begin(), all.end(), same)) all.push_back(next);
+        }
     };
     if (full) {
         add("euler", "linear", {0.25, 0.5, 2, 4, 8});
-        add("verlet", "linear", {0.25, 0.5, 2, 4, 8});
+        add("verlet", "linear", {0.25, 0.5, 1, 1.5, 2, 3, 4, 8});
         add("verlet", "linear", {0.25, 0.5, 1, 2, 4, 8}, true);
         add("euler", "cubic", {1});
+        add("verlet", "cubic", {1.5, 3});
         for (const char* name : {"verlet", "sharma", "rk4"})
             add(name, "cubic", {0.25, 0.5, 1, 2, 4, 8});
         add("sharma", "linear", {0.5, 1, 2});
@@ -86,9 +91,9 @@ std::vector<Setting> settingsOf(bool full) {
         for (const double step : {2.0, 8.0, 16.0}) all.push_back(adaptive(0.01, step));
         for (const double tolerance : {0.1, 0.01}) all.push_back(adaptive(tolerance, 0, "linear"));
     } else {
-        add("verlet", "linear", {0.5, 2, 4});
+        add("verlet", "linear", {0.5, 1, 1.5, 2, 4});
         add("verlet", "linear", {1}, true);
-        add("verlet", "cubic", {1, 2, 4});
+        add("verlet", "cubic", {1, 2, 3, 4});
         add("sharma", "cubic", {2, 4});
         for (const double tolerance : {0.1, 0.01}) all.push_back(adaptive(tolerance));
     }

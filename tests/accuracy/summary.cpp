@@ -69,7 +69,9 @@ std::string optionsOf(const Json& row) {
     if (linearByItself != (interpolation == "linear"))
         options += " --interpolation " + interpolation;
     const double step = row["step"];
-    if (step > 0 && step != 1) options += " --step " + eikonal::toText(step);
+    eikonal::optics::Tracing tracing;
+    tracing.integrator = eikonal::optics::parseIntegrator(integrator);
+    if (step > 0 && step != tracing.usualStep()) options += " --step " + eikonal::toText(step);
     return options;
 }
 
