@@ -35,6 +35,11 @@ Interpolation Tracing::sampling() const {
     return oneLookUp ? Interpolation::linear : Interpolation::cubic;
 }
 
+double Tracing::usualStep(bool gathers) const {
+    if (integrator == Integrator::adaptive) return 4;
+    return integrator == Integrator::verlet && !gathers ? 1.5 : 1;
+}
+
 std::string Tracing::text() const {
     std::string text = integratorNames()[static_cast<size_t>(integrator)];
     text += sampling() == Interpolation::linear ? ", linear" : ", cubic";

@@ -49,7 +49,8 @@ public:
 private:
     /// One τ step is as long as the index says: no longer than asked where it is highest.
     double longestTau() const {
-        const double step = mParams.step > 0 ? mParams.step : mParams.usualStep();
+        const bool gathers = mPlan.dims || mPlan.emits || mPlan.opaque;
+        const double step = mParams.step > 0 ? mParams.step : mParams.usualStep(gathers);
         return step / static_cast<double>(mPlan.index.most);
     }
     void uploadMedium();

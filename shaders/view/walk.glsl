@@ -25,12 +25,12 @@ Walk takeStep(Walk walk, vec4 sampled, vec3 where, float tau) {
     return walk;
 }
 
-// One step of τ of several look-ups, already made: what it meets on its way, voxel by voxel.
+// One step of τ of several look-ups, already made: what it meets on its way, piece by piece.
 Walk follow(Walk walk, Advance step, float tau) {
     float ds = sqrt(abs(step.optical * tau));
     if (kDims || kShines || kOpaque) {
         Ray start = walk.ray;
-        int pieces = max(int(ceil(ds)), 1);
+        int pieces = max(int(ceil(ds / 0.75)), 1); // about what steps of one look-up of a voxel do
         for (int i = 0; i < pieces && walk.fate == kWalking; ++i) {
             Ray at = between(start, step.ray, tau, (float(i) + 0.5) / float(pieces));
             float n = length(at.w);

@@ -72,7 +72,10 @@ void addOptions(CLI::App& app, Options& o) {
     app.add_option("--env-rotate", p.environmentTurn, "turn the map about its up axis [degree]")
         ->type_name("DEG")
         ->group("Background");
-    o.tracing.emplace(app, "--tolerance", "longest step [voxel]; default 1, adaptive 4");
+    o.tracing.emplace(
+        app, "--tolerance",
+        "longest step [voxel]; default 1, for verlet 1.5 where no medium is sampled along, "
+        "for adaptive 4");
     app.add_option("--max-steps", p.maxSteps, "steps after which a ray counts as trapped; 0: ample")
         ->type_name("N")
         ->capture_default_str()
