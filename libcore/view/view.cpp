@@ -98,6 +98,7 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
                                                  : 0},
                            {"EMISSION", plan.lobes && plan.emits},
                            {"OPAQUE", plan.opaque},
+                           {"MAP", map.has_value()},
                            {"PATHS", wantsPaths(plan, params)}});
     mProfiler.end();
     mProfiler.begin("medium");

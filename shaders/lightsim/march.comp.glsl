@@ -20,7 +20,6 @@ const int kPath = PATH;                 // straight where the index does not var
 const bool kMedium = MEDIUM > 0;        // something absorbs or scatters
 const bool kDense = MEDIUM == 2;        // a voxel may have an optical depth above 0.25
 const bool kColour = CHANNELS == 3;     // it does so by wavelength
-const bool kDirection = DIRECTION == 1; // the net direction is wanted
 const bool kOpaque = OPAQUE == 1;       // opaque voxels stop photons
 
 layout(local_size_x = 64) in;
@@ -29,8 +28,8 @@ layout(std430, binding = 0) buffer Count { uint nextCount; uint overflowed; };
 layout(std430, binding = 1) buffer Photons { Photon photons[]; };
 layout(std430, binding = 2) readonly buffer List { uint list[]; };
 layout(std430, binding = 3) writeonly buffer NextList { uint nextList[]; };
-// Fixed-point sums per voxel, one buffer a plane: the channels of fluence, then (kDirection) x, y, z.
-// Integer sums do not depend on the order of the adds. The host chooses the unit so that every
+// Fixed-point sums per voxel, one buffer a plane: the channels of fluence, then, where DIRECTION is 1,
+// the net direction's x, y, z. Integer sums do not depend on the order of the adds. The host chooses the unit so that every
 // photon of a batch may cross one voxel; a sum that still nears the end of its range, from photons
 // that come back, is noticed in `overflowed`, and the batch is run again with a smaller unit. A
 // direction's component d in [−1, 1] adds (1 + d)/2 of the deposit, so these sums stay below those
@@ -232,7 +231,7 @@ void main() {
                    : steps >= params.list.z          ? kTrapped
                                                      : kAlive;
     }
-    if (fate == kStopped) {
+    if (kOpaque && fate == kStopped) {
         absorbed += weight; // opaque material takes what arrives
         weight = vec3(0.0);
     }

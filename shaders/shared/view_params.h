@@ -12,7 +12,7 @@ struct ViewParams {
     vec4 march;        // x: step dτ or ds [voxel], y: index outside, z: adaptive, shortest dτ [voxel],
                        // w: by stages, the first dτ [voxel]
     vec4 tracing;      // adaptive, x: tolerance [voxel], y: length of a crossing [voxel]
-    vec4 background;   // rgb radiance; w: 0 none, 1 a colour, 2 the map by centres, 3 by edges
+    vec4 background;   // rgb radiance; w: the map's pixels, 2 by centres, 3 by edges
     vec4 mapFromVoxel0; // rows of the rotation from voxel space to the environment map's frame
     vec4 mapFromVoxel1;
     vec4 mapFromVoxel2;

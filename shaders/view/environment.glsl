@@ -26,7 +26,7 @@ vec3 mapAt(vec2 uv, bool byEdges) {
 
 // Radiance from a unit direction in voxel space.
 vec3 backgroundLight(vec3 direction) {
-    if (params.background.w < 1.5) return params.background.xyz;
+    if (!kMap) return params.background.xyz;
     vec3 d = vec3(dot(params.mapFromVoxel0.xyz, direction), dot(params.mapFromVoxel1.xyz, direction),
                   dot(params.mapFromVoxel2.xyz, direction));
     return mapAt(latLongOf(d), params.background.w == 3.0);

@@ -9,8 +9,8 @@
 #include "lib/ray.glsl"
 
 #if !defined(PATH) || !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || \
-    !defined(OPAQUE) || !defined(PATHS)
-#error PATH must be 0 to 5, SOURCE 0 to 2, CHANNELS 0, 1 or 3, EMISSION, OPAQUE and PATHS 0 or 1
+    !defined(OPAQUE) || !defined(MAP) || !defined(PATHS)
+#error PATH must be 0 to 5, SOURCE 0 to 2, CHANNELS 0, 1, 3, EMISSION, OPAQUE, MAP, PATHS 0 or 1
 #endif
 const int kStraight = 0, kEuler = 1, kVerlet = 2, kSharma = 3, kRk4 = 4, kAdaptive = 5;
 const int kPath = PATH;
@@ -21,6 +21,7 @@ const bool kShines = SOURCE > 0;    // light is scattered towards the eye, or em
 const bool kLobes = SOURCE == 2;    // scattering prefers a direction
 const bool kEmission = EMISSION == 1; // emitted light kept apart from scattered: only with lobes
 const bool kOpaque = OPAQUE == 1;   // opaque material ends rays
+const bool kMap = MAP == 1;         // an environment map surrounds the scene, not a colour
 const bool kPaths = PATHS == 1;     // each ray's path is written, beside its colour
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -115,7 +116,8 @@ void main() {
     }
     vec3 direction = walk.ray.w / length(walk.ray.w);
     vec3 light = walk.light;
-    if (walk.fate != kStopped) { // a trapped ray sees what it would see going straight on
+    bool stopped = kOpaque && walk.fate == kStopped;
+    if (!stopped) { // a trapped ray sees what it would see going straight on
         vec3 sky = backgroundLight(direction);
         light += walk.through * sky / (params.march.y * params.march.y);
     }
@@ -123,14 +125,14 @@ void main() {
     float n = eyeInside ? entry : params.march.y;
     vec3 turned = direction - start;
     // Where no gradient acted the direction is the same but for rounding.
-    bool changed = hits && (walk.fate == kStopped || dot(turned, turned) > 1.0e-12 ||
+    bool changed = hits && (stopped || dot(turned, turned) > 1.0e-12 ||
                             walk.through != vec3(1.0) || walk.light != vec3(0.0));
     colours[at] = vec4(light * (n * n), changed ? 1.0 : 0.0);
     if (kPaths) {
         PixelPath path;
         path.place = vec4(walk.ray.x, walk.opticalLength);
         path.direction = vec4(direction, walk.pathLength);
-        path.through = vec4(walk.fate == kStopped ? vec3(0.0) : walk.through, float(walk.steps));
+        path.through = vec4(stopped ? vec3(0.0) : walk.through, float(walk.steps));
         float atExit = hits ? jetAt(walk.ray.x, walk.ray.w).n : 1.0;
         path.error = vec4(abs(length(walk.ray.w) - atExit), hits ? 0.0 : 1.0, 0.0, 0.0);
         paths[at] = path;

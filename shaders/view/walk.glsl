@@ -174,7 +174,7 @@ Walk reachFace(Walk walk, vec3 centre, vec3 halfSize) {
     if (walk.fate == kWalking &&
         timeToLeave(walk.ray.x, walk.ray.w, low, high) <= 1.0e-3 * params.march.x)
         walk.fate = kLeft;
-    if (walk.fate != kStopped) walk.ray.x = clamp(walk.ray.x, low, high);
+    if (!kOpaque || walk.fate != kStopped) walk.ray.x = clamp(walk.ray.x, low, high);
     return walk;
 }
 

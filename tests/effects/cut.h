@@ -25,8 +25,6 @@ struct Cut {
     std::vector<std::pair<std::string, std::string>> edits = {};
     /// Identifiers of the effect: each is in the text before, none after.
     std::vector<std::string> gone = {};
-    /// Instructions known to stay in the kernel where the effect is off, outside its loops.
-    int stays = 0;
 };
 
 /// `text` is the kernel with its includes expanded; comments do not survive. Throws

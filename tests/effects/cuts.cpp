@@ -44,9 +44,8 @@ std::vector<Cut> viewCuts() {
     cuts.back().gone = {"kLobes", "kEmission", "emission", "henyeyGreenstein"};
     cuts.push_back({"emission beside lobes", k, {{"kEmission", false}}});
     cuts.back().gone = {"kEmission", "EMISSION", "emission"};
-    cuts.push_back({"environment map", k, {{"params.background.w < 1.5", true}}});
-    cuts.back().gone = {"mapAt", "environment", "latLongOf"};
-    cuts.back().stays = 110; // a uniform decides, once a ray, behind the loop
+    cuts.push_back({"environment map", k, {{"kMap", false}}});
+    cuts.back().gone = {"kMap", "mapAt", "environment", "latLongOf"};
     cuts.push_back(
         {"opaque surface",
          k,
@@ -55,7 +54,6 @@ std::vector<Cut> viewCuts() {
     cuts.back().edits = {{"vec3 clear;", ""}, {"vec3 met;", ""}, {", ray.x, ray.x)", ")"}};
     cuts.back().gone = {"kOpaque", "OPAQUE",  "opacityAt", "surfaceLight", "meetSurface",
                         "surface", "fluence", "kStopped",  "clear",        "met"};
-    cuts.back().stays = 20; // whether the ray was stopped is asked in any case, once
     cuts.push_back({"AOVs", k, {{"kPaths", false}}});
     cuts.back().writes = {"walk.opticalLength", "walk.pathLength"};
     cuts.back().edits = {{"float pathLength;", ""},
@@ -93,10 +91,9 @@ std::vector<Cut> photonCuts() {
     cuts.push_back({"direction", k, {}});
     cuts.back().branches = {"DIRECTION"};
     cuts.back().edits = {{"CHANNELS + 3 * DIRECTION", "CHANNELS"}};
-    cuts.back().gone = {"kDirection", "DIRECTION", "towards", "power"};
+    cuts.back().gone = {"DIRECTION", "towards", "power"};
     cuts.push_back({"opaque surface", k, {{"kOpaque", false}, {"fate == kStopped", false}}});
     cuts.back().gone = {"kOpaque", "OPAQUE", "opaque", "kStopped"};
-    cuts.back().stays = 20; // as in the view kernel
     cuts.push_back(
         {"other integrators", k,
          with(onlyPath("verlet"), {{"kPath > kStraight", true}, {"kPath > kEuler", true}})});

@@ -101,15 +101,12 @@ Json measureAbsence(const Case& scene, const std::vector<Cut>& cuts, int rounds,
     gpu::Device device(gpu::DeviceChoice{});
     std::vector<Job> jobs{{&scene, ""}, {&scene, ""}};
     std::vector<std::string> names{"", "nothing (the full text again)"};
-    std::vector<int> stays{0, 0};
     const auto add = [&](const std::string& name, const std::vector<Cut>& some) {
         std::string folder = work + "/without " + name;
         std::replace(folder.begin(), folder.end(), ' ', '_');
         writeWithout(some, folder);
         jobs.push_back({&scene, folder});
         names.push_back(name);
-        stays.push_back(0);
-        for (const Cut& cut : some) stays.back() += cut.stays;
     };
     for (const Cut& one : cuts) add(one.effect, {one});
     if (cuts.size() > 1) add("all of these", cuts);
@@ -121,7 +118,6 @@ Json measureAbsence(const Case& scene, const std::vector<Cut>& cuts, int rounds,
                         {"ratio", ratioOf(measured[0], measured[i])},
                         {"instructions_full", instructions(measured[0].variant, work)},
                         {"instructions_without", instructions(measured[i].variant, work)},
-                        {"instructions_known_to_stay", stays[i]},
                         {"same_instructions", instructionsOf(measured[0].variant.text, work) ==
                                                   instructionsOf(measured[i].variant.text, work)},
                         {"program_bytes_full", measured[0].variant.binaryBytes},

@@ -129,6 +129,7 @@ std::string verdict(const Json& parts) {
     if (!more.names.empty())
         said += "The full text has more instructions, outside its loops, than the texts without: " +
                 more.names + ". ";
+    if (over.names.empty() && same == rows) return said + "\n\n";
     said += over.names.empty() ? text("None of the others costs more than %.0f %%. ", 100 * kGoal)
                                : text("Above %.0f %% are: ", 100 * kGoal) + over.names + ". ";
     if (!overBySame.names.empty())
