@@ -69,6 +69,7 @@ float verletOpticalEnd(vec3 w, vec3 force, float tau) {
 // What a step of several look-ups gives.
 struct Advance {
     Ray ray;
+    Ray change;    // by how much x and w went on
     float optical; // ∫ n² dτ over the step [voxel]
     vec4 last;     // the field at its end
     float offX;    // of an embedded step only: the error of x [voxel] and of w, estimated
@@ -91,9 +92,10 @@ Advance sharmaStep(Ray ray, float tau) {
     vec3 gb = vec3(b.x, b.y, b.z);
     vec4 c = fieldAt(ray.x + tau * ray.w + (0.5 * tau * tau) * gb);
     vec3 gc = vec3(c.x, c.y, c.z);
-    Ray next = Ray(ray.x + tau * (ray.w + (tau / 6.0) * (ga + 2.0 * gb)),
-                   ray.w + (tau / 6.0) * (ga + 4.0 * gb + gc));
-    return Advance(next, opticalOf(ray.w, next.w, ga, gc, tau), c, 0.0, 0.0);
+    Ray change = Ray(tau * (ray.w + (tau / 6.0) * (ga + 2.0 * gb)),
+                     (tau / 6.0) * (ga + 4.0 * gb + gc));
+    Ray next = Ray(ray.x + change.x, ray.w + change.w);
+    return Advance(next, change, opticalOf(ray.w, next.w, ga, gc, tau), c, 0.0, 0.0);
 }
 
 // The classical Runge–Kutta step of fourth order on (x, w), in four look-ups.
@@ -107,9 +109,10 @@ Advance rk4Step(Ray ray, float tau) {
     vec3 gc = vec3(c.x, c.y, c.z);
     vec4 d = fieldAt(ray.x + tau * ray.w + (tau * mid) * gb);
     vec3 gd = vec3(d.x, d.y, d.z);
-    Ray next = Ray(ray.x + tau * (ray.w + (tau / 6.0) * (ga + gb + gc)),
-                   ray.w + (tau / 6.0) * (ga + 2.0 * gb + 2.0 * gc + gd));
-    return Advance(next, opticalOf(ray.w, next.w, ga, gd, tau), d, 0.0, 0.0);
+    Ray change = Ray(tau * (ray.w + (tau / 6.0) * (ga + gb + gc)),
+                     (tau / 6.0) * (ga + 2.0 * gb + 2.0 * gc + gd));
+    Ray next = Ray(ray.x + change.x, ray.w + change.w);
+    return Advance(next, change, opticalOf(ray.w, next.w, ga, gd, tau), d, 0.0, 0.0);
 }
 
 // An embedded Runge–Kutta–Nyström pair of orders 4 and 3, in three look-ups beside `first`, the field
@@ -124,10 +127,12 @@ Advance embeddedStep(Ray ray, vec4 first, float tau) {
     vec3 gb = vec3(b.x, b.y, b.z);
     vec4 c = fieldAt(ray.x + (0.7 * tau) * ray.w + t2 * (0.007 * ga + 0.238 * gb));
     vec3 gc = vec3(c.x, c.y, c.z);
-    vec3 x = ray.x + tau * ray.w + t2 * (ga / 14.0 + (8.0 / 27.0) * gb + (25.0 / 189.0) * gc);
+    vec3 dx = tau * ray.w + t2 * (ga / 14.0 + (8.0 / 27.0) * gb + (25.0 / 189.0) * gc);
+    vec3 x = ray.x + dx;
     vec4 d = fieldAt(x);
     vec3 gd = vec3(d.x, d.y, d.z);
-    vec3 w = ray.w + tau * (ga / 14.0 + (32.0 / 81.0) * gb + (250.0 / 567.0) * gc + (5.0 / 54.0) * gd);
+    vec3 dw = tau * (ga / 14.0 + (32.0 / 81.0) * gb + (250.0 / 567.0) * gc + (5.0 / 54.0) * gd);
+    vec3 w = ray.w + dw;
     // The differences of both orders' weights: subtracting both results would leave rounding.
     vec3 offX = t2 * ((62.0 / 525.0) * ga - (203.0 / 1350.0) * gb - (67.0 / 3780.0) * gc + 0.05 * gd);
     vec3 offW = tau * ((-23.0 / 42.0) * ga + (92.0 / 81.0) * gb - (575.0 / 567.0) * gc +
@@ -135,7 +140,7 @@ Advance embeddedStep(Ray ray, vec4 first, float tau) {
     float strength = max(max(dot(ga, ga), dot(gb, gb)), max(dot(gc, gc), dot(gd, gd)));
     float off = sqrt(dot(offW, offW));
     float share = 2.0 * sqrt(off / max(tau * sqrt(strength), 1.0e-20)); // 2: an oscillator's error
-    return Advance(Ray(x, w), opticalOf(ray.w, w, ga, gd, tau), d, share * sqrt(dot(offX, offX)),
+    return Advance(Ray(x, w), Ray(dx, dw), opticalOf(ray.w, w, ga, gd, tau), d, share * sqrt(dot(offX, offX)),
                    share * off);
 }
 

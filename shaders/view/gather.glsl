@@ -5,6 +5,7 @@
 const int kWalking = 0, kLeft = 1, kStopped = 2, kTrapped = 3;
 struct Walk {
     Ray ray;
+    Ray lost;   // what rounding has kept back of it
     vec3 light; // L/n²
     vec3 through;
     float pathLength;    // [voxel]

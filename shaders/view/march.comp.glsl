@@ -96,7 +96,7 @@ void main() {
     vec3 low = vec3(-0.5);
     vec3 high = vec3(params.size.xyz) - 0.5;
     Ray ray = Ray(hits ? clamp(vec3(eye + enter * towards), low, high) : vec3(eye), start);
-    Walk walk = Walk(ray, vec3(0.0), vec3(1.0), 0.0, 0.0, 0, kWalking, 0.0, ray.x, ray.x);
+    Walk walk = Walk(ray, Ray(vec3(0.0), vec3(0.0)), vec3(0.0), vec3(1.0), 0.0, 0.0, 0, kWalking, 0.0, ray.x, ray.x);
 
     float entry = 1.0; // the index where the ray enters
     if (hits) {

@@ -1,6 +1,21 @@
 // How a viewing ray gets through the domain: one run of steps for every integrator.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// The ray, gone on by a step's change. What rounding keeps back of one step goes to the next (Kahan
+// 1965): kicks of the same small size would be rounded the same way every time, which bends a ray by
+// 1e-5 more or less than it should be.
+Walk goOn(Walk walk, Ray change) {
+    precise vec3 dx = change.x + walk.lost.x;
+    precise vec3 dw = change.w + walk.lost.w;
+    precise vec3 x = walk.ray.x + dx;
+    precise vec3 w = walk.ray.w + dw;
+    precise vec3 doneX = x - walk.ray.x;
+    precise vec3 doneW = w - walk.ray.w;
+    walk.lost = Ray(dx - doneX, dw - doneW);
+    walk.ray = Ray(x, w);
+    return walk;
+}
+
 // One step of τ of the schemes with one look-up, `sampled` at `where`: Euler's at its start, Verlet's in
 // its middle.
 Walk takeStep(Walk walk, vec4 sampled, vec3 where, float tau) {
@@ -20,7 +35,12 @@ Walk takeStep(Walk walk, vec4 sampled, vec3 where, float tau) {
         kPath == kVerlet ? verletOptical(walk.ray.w, next.w, tau) : ds * sampled.w;
     walk.opticalLength += optical;
     walk.pathLength += kPath == kVerlet ? sqrt(optical * tau) : ds;
-    walk.ray = next;
+    if (kPath == kVerlet && kField == 2) { // linear samples are not worth the time
+        vec3 kick = tau * sampled.xyz;
+        walk = goOn(walk, Ray(tau * (walk.ray.w + 0.5 * kick), kick));
+    } else {
+        walk.ray = next;
+    }
     ++walk.steps;
     return walk;
 }
@@ -28,8 +48,8 @@ Walk takeStep(Walk walk, vec4 sampled, vec3 where, float tau) {
 // One step of τ of several look-ups, already made: what it meets on its way, piece by piece.
 Walk follow(Walk walk, Advance step, float tau) {
     float ds = sqrt(abs(step.optical * tau));
+    Ray start = walk.ray;
     if (kDims || kShines || kOpaque) {
-        Ray start = walk.ray;
         int pieces = max(int(ceil(ds / 0.75)), 1); // about what steps of one look-up of a voxel do
         for (int i = 0; i < pieces && walk.fate == kWalking; ++i) {
             Ray at = between(start, step.ray, tau, (float(i) + 0.5) / float(pieces));
@@ -48,8 +68,8 @@ Walk follow(Walk walk, Advance step, float tau) {
     }
     walk.opticalLength += step.optical;
     walk.pathLength += ds * sign(tau);
-    walk.ray = step.ray;
-    return walk;
+    walk.ray = start;
+    return goOn(walk, step.change);
 }
 
 bool isOutside(vec3 x, vec3 centre, vec3 halfSize) {
