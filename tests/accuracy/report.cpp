@@ -211,7 +211,9 @@ void writeLight(std::ostringstream& out, const std::vector<Json>& rows) {
         << "A blurred ball in haze, 64³, a slanting light; relative rms of the fluence over all "
            "voxels, which the few bright ones of the focus outweigh. \"Steps\": from the same "
            "photons traced through a spline in steps of a quarter voxel. \"All\": from so traced "
-           "photons of another seed, as many as the last row of the table below.\n\n";
+           "photons of another seed, as many as the last row of the table below. Nothing is "
+           "smoothed "
+           "here but where it says so; `lightsim` itself smooths once.\n\n";
     head(out, {"options", "million steps", "time [ms]", "steps", "all"});
     for (const Json& row : partOf(rows, "light"))
         line(out,
@@ -245,9 +247,16 @@ void writeLight(std::ostringstream& out, const std::vector<Json>& rows) {
 
 void writeLimits(std::ostringstream& out) {
     out << "## Known limits\n\n"
-        << "- A ray's position is a float that every step adds to: roundings add up, one way "
-           "where the ray is straight. Where steps are exact, in n² that is linear, that is the "
-           "error there is, and shorter steps make it larger.\n"
+        << "- Positions and kicks are floats that every step adds to. On splines, what is rounded "
+           "off "
+           "one step is kept for the next; on linear samples, where it would cost a tenth of the "
+           "time, roundings add up, and where steps are exact, in n² that is linear, shorter "
+           "ones make the error larger.\n"
+        << "- Linear samples are the gradient of no potential: | |w| − n | stays small, but rays "
+           "that "
+           "go round for many turns drift off their circle, by the lattice. Splines keep them.\n"
+        << "- Devices whose filters blend with few bits (graphics cards mostly have 8 for a voxel) "
+           "add their own error to linear look-ups; cubic ones use no filter.\n"
         << "- A spline rings for some voxels round a kink in the index: in the clipped rod, whose "
            "rays stay three voxels away from the kink, linear samples are better.\n"
         << "- At an edge of 1.5 voxels the blur itself is off by more than any of the integrators: "
