@@ -79,8 +79,8 @@ Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOpt
         makeSpline(stepped);
         mTexture = makeCubic(device, stepped);
         const float least = *std::min_element(index.values.begin(), index.values.end());
-        values.cubic = vec4(own.squareAtZero, options.verletTau * options.verletTau / 12, 3,
-                            least * least / 16);
+        values.cubic = vec4(own.squareAtZero, options.verletTau * options.verletTau / 12,
+                            least * least / 16, 0);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
 }

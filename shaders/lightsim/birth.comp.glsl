@@ -71,7 +71,7 @@ void main() {
     }
     Photon photon;
     photon.place = vec4(x, weight);
-    photon.wave = vec4(jetAt(x, direction).n * direction, weight);
+    photon.wave = vec4(indexAt(x) * direction, weight);
     photon.absorbed = vec4(0.0, 0.0, 0.0, weight);
     photon.scattered = vec4(0.0, 0.0, 0.0, uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
     photon.count = uvec4(kAlive, 0u, 0u, 0u);

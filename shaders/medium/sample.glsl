@@ -43,7 +43,7 @@ vec4 fieldAt(vec3 x) {
     // The potential that steps of τ see is higher by τ²/24 |∇U|².
     float square = fieldParams.cubic.x + 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz);
     // Overshoot beside a jump must not make the index vanish.
-    return vec4(sum.xyz, sqrt(max(square, fieldParams.cubic.w)));
+    return vec4(sum.xyz, sqrt(max(square, fieldParams.cubic.z)));
 }
 #elif FIELD == 1
 vec4 fieldAt(vec3 x) {
@@ -55,52 +55,42 @@ vec4 fieldAt(vec3 x) {
 }
 #endif
 
-// What a ray's ends need, once: the index as exactly as the samples tell, ∇U = ½∇(n²), and its
-// derivative along w, (w·∇)∇U.
-struct Jet {
-    float n;
-    vec3 force;
-    vec3 bend;
-};
-
+// The index as exactly as the samples tell: what a ray begins with.
 #if FIELD == 1
-// From the eight samples round x. Unbiased samples make the mean of linear interpolation right, not
-// each of its points: where x lies in its cell tells how far it is off, by n's second derivatives.
-Jet jetAt(vec3 x, vec3 w) {
+// Unbiased samples make the mean of linear interpolation right, not each of its points: where x lies in
+// its cell tells how far it is off, by n's second derivatives, and those the eight samples round it.
+float indexAt(vec3 x) {
     vec3 cell = clamp(floor(x), vec3(-1.0), fieldParams.high.xyz);
     vec3 t = x - cell;
-    vec4 mean = vec4(0.0);
-    vec3 bend = vec3(0.0);
+    float n = 0.0;
     vec3 curve = vec3(0.0); // ∂²n along each axis
     for (int i = 0; i < 8; ++i) {
         vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
         vec4 s = fieldAt(cell + corner);
-        vec3 side = 2.0 * corner - 1.0;
         vec3 weight = mix(1.0 - t, t, corner);
-        vec3 across = side * weight.yzx * weight.zxy; // a difference along an axis, linear in others
-        mean += weight.x * weight.y * weight.z * s;
-        bend += dot(across, w) * s.xyz;
-        curve += across * s.xyz / s.w;
+        n += weight.x * weight.y * weight.z * s.w;
+        // A difference along an axis, linear in the others.
+        curve += (2.0 * corner - 1.0) * weight.yzx * weight.zxy * s.xyz / s.w;
     }
-    float n = mean.w;
     if (fieldParams.high.w == 1.0) n -= dot(0.5 * t * (1.0 - t) - 1.0 / 12.0, curve);
-    return Jet(n, mean.xyz, bend);
-}
-#elif FIELD == 2
-Jet jetAt(vec3 x, vec3 w) {
-    float e = 0.25 / max(length(w), 1.0e-6);
-    vec4 here = vec4(0.0);
-    vec3 bend = vec3(0.0);
-    // (A loop whose end the compiler does not know keeps one copy of the look-up.)
-    for (int i = 0; i < int(fieldParams.cubic.z); ++i) {
-        vec4 found = fieldAt(x + (float(i - 1) * e) * w);
-        if (i == 1) here = found;
-        bend += (float(i - 1) / (2.0 * e)) * found.xyz;
-    }
-    return Jet(here.w, here.xyz, bend);
+    return n;
 }
 #else
-Jet jetAt(vec3 x, vec3 w) {
-    return Jet(fieldParams.scale.w, vec3(0.0), vec3(0.0));
+float indexAt(vec3 x) {
+    return fieldAt(x).w;
 }
 #endif
+
+// ∇U and its derivative along w, (w·∇)∇U, from two look-ups: what the ends of a run of Verlet steps
+// need, in terms of τ² where the second order of these differences does not count.
+struct Bend {
+    vec3 force;
+    vec3 change;
+};
+
+Bend bendAt(vec3 x, vec3 w) {
+    float e = 0.5 / max(length(w), 1.0e-6);
+    vec3 before = fieldAt(x - e * w).xyz;
+    vec3 after = fieldAt(x + e * w).xyz;
+    return Bend(0.5 * (before + after), (after - before) / (2.0 * e));
+}

@@ -5,5 +5,5 @@ struct FieldParams {
     vec4 scale; // xyz: 1 / texels along each axis; w: the index, where it does not vary
     vec4 high;  // xyz: the last voxel along each axis, size − 1; w: 1 if samples are unbiased
     vec4 cubic; // x: n² at potential 0, y: τ²/12 if potentials are corrected for Verlet steps of τ,
-                // z: 3, the look-ups of a derivative along a line, w: least n²
+                // z: least n²
 };

@@ -100,7 +100,7 @@ void main() {
 
     float entry = 1.0; // the index where the ray enters
     if (hits) {
-        entry = jetAt(walk.ray.x, start).n;
+        entry = indexAt(walk.ray.x);
         walk.ray.w *= entry;
         walk = walkThrough(walk, 0.5 * (low + high), 0.5 * (high - low));
         count(kRays, 1u);
@@ -133,7 +133,7 @@ void main() {
         path.place = vec4(walk.ray.x, walk.opticalLength);
         path.direction = vec4(direction, walk.pathLength);
         path.through = vec4(stopped ? vec3(0.0) : walk.through, float(walk.steps));
-        float atExit = hits ? jetAt(walk.ray.x, walk.ray.w).n : 1.0;
+        float atExit = hits ? indexAt(walk.ray.x) : 1.0;
         path.error = vec4(abs(length(walk.ray.w) - atExit), hits ? 0.0 : 1.0, 0.0, 0.0);
         paths[at] = path;
     }

@@ -96,15 +96,35 @@ vec3 ontoFace(vec3 x, vec3 w, vec3 centre, vec3 halfSize) {
     return clamp(x, centre - halfSize, centre + halfSize);
 }
 
-// Steps of several look-ups, until the ray leaves, stops or has used up its steps; or `once`. A step that
-// ends outside is made again, as long as its interpolant stays in the domain.
-Walk walkByStages(Walk walk, vec3 centre, vec3 halfSize, bool once) {
-    float next = once ? params.march.x : params.march.w;
+// A step made, of a ray that may have left by it.
+Walk arrive(Walk walk, Advance step, float tau, bool leaves, vec3 centre, vec3 halfSize) {
+    walk = follow(walk, step, tau);
+    if (leaves && walk.fate == kWalking) {
+        walk.ray.x = ontoFace(walk.ray.x, walk.ray.w, centre, halfSize);
+        walk.fate = kLeft;
+    }
+    return walk;
+}
+
+// The step after a run of Verlet steps, the next of which would end outside: as long as it stays inside,
+// which a look-up tells beforehand, since the field may turn the ray back.
+Walk lastStep(Walk walk, vec3 centre, vec3 halfSize) {
+    float tau = params.march.x;
+    Ray end = verletStep(walk.ray, fieldAt(verletMiddle(walk.ray, tau)), tau);
+    bool leaves = isOutside(end.x, centre, halfSize);
+    if (leaves) tau *= shareInside(walk.ray, end, tau, centre, halfSize);
+    ++walk.steps;
+    return arrive(walk, sharmaStep(walk.ray, tau), tau, leaves, centre, halfSize);
+}
+
+// Steps of several look-ups, until the ray leaves, stops or has used up its steps. A step that ends
+// outside is made again, as long as its interpolant stays in the domain.
+Walk walkByStages(Walk walk, vec3 centre, vec3 halfSize) {
+    float next = params.march.w;
     float tau = next;
     bool landing = false;
-    bool walking = true;
     vec4 first = kPath == kAdaptive ? fieldAt(walk.ray.x) : vec4(0.0);
-    while (walking) {
+    while (walk.fate == kWalking) {
         Advance step;
         if (kPath == kAdaptive) step = embeddedStep(walk.ray, first, tau);
         else if (kPath == kRk4) step = rk4Step(walk.ray, tau);
@@ -128,18 +148,12 @@ Walk walkByStages(Walk walk, vec3 centre, vec3 halfSize, bool once) {
             next = tau * shareInside(walk.ray, step.ray, tau, centre, halfSize);
             landing = true;
         } else if (good) {
-            walk = follow(walk, step, tau);
+            walk = arrive(walk, step, tau, landing, centre, halfSize);
             walk.error += off;
             first = step.last;
-            walking = !landing && !once;
-            if (landing && walk.fate == kWalking) {
-                walk.ray.x = ontoFace(walk.ray.x, walk.ray.w, centre, halfSize);
-                walk.fate = kLeft;
-            }
         }
         tau = next;
         if (walk.fate == kWalking && walk.steps >= params.size.w) walk.fate = kTrapped;
-        walking = walking && walk.fate == kWalking;
     }
     return walk;
 }
@@ -172,13 +186,13 @@ Walk walkByLooks(Walk walk, vec3 centre, vec3 halfSize) {
 // A run of equal Verlet steps, from and to the ray's own coordinates.
 Walk walkByVerlet(Walk walk, vec3 centre, vec3 halfSize) {
     float tau = params.march.x;
-    Jet jet = jetAt(walk.ray.x, walk.ray.w);
-    walk.opticalLength += verletOpticalEnd(walk.ray.w, jet.force, tau);
-    walk.ray = toVerlet(walk.ray, jet.force, jet.bend, tau);
+    Bend bend = bendAt(walk.ray.x, walk.ray.w);
+    walk.opticalLength += verletOpticalEnd(walk.ray.w, bend.force, tau);
+    walk.ray = toVerlet(walk.ray, bend.force, bend.change, tau);
     walk = walkByLooks(walk, centre, halfSize);
-    jet = jetAt(walk.ray.x, walk.ray.w);
-    walk.ray = fromVerlet(walk.ray, jet.force, jet.bend, tau);
-    walk.opticalLength -= verletOpticalEnd(walk.ray.w, jet.force, tau);
+    bend = bendAt(walk.ray.x, walk.ray.w);
+    walk.ray = fromVerlet(walk.ray, bend.force, bend.change, tau);
+    walk.opticalLength -= verletOpticalEnd(walk.ray.w, bend.force, tau);
     return walk;
 }
 
@@ -202,10 +216,10 @@ Walk reachFace(Walk walk, vec3 centre, vec3 halfSize) {
 Walk walkThrough(Walk walk, vec3 centre, vec3 halfSize) {
     while (walk.fate == kWalking) {
         if (kPath > kVerlet) {
-            walk = walkByStages(walk, centre, halfSize, false);
+            walk = walkByStages(walk, centre, halfSize);
         } else if (kPath == kVerlet) {
             walk = walkByVerlet(walk, centre, halfSize);
-            if (walk.fate == kWalking) walk = walkByStages(walk, centre, halfSize, true);
+            if (walk.fate == kWalking) walk = lastStep(walk, centre, halfSize);
         } else {
             walk = walkByLooks(walk, centre, halfSize);
             if (walk.fate == kWalking) walk = reachFace(walk, centre, halfSize);
