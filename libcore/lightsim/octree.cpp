@@ -80,15 +80,11 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
                             {{"INDEX", plan.bends}, {"EXTINCTION", !extinction.empty()}});
     gpu::Buffer block(device, sizeof values);
     block.bindUniform(0);
-    // Linear look-ups of central differences reach two voxels, of unbiased ones three; splines reach
-    // all the way, by a quarter of the strength for every voxel.
-    const int reach = params.tracing.unbiased() ? 2 : 1;
     for (int level = 0; level <= top; ++level) {
         values.nodes = ivec4(ivec3(levels[static_cast<size_t>(level)]), level);
         values.source = levels[static_cast<size_t>(std::max(level - 1, 0))];
         const int source = std::min(level, 2);
-        values.target = ivec4(levels[static_cast<size_t>(level)].w, source,
-                              source == 1 ? 2 * reach + 1 : 2, reach);
+        values.target = ivec4(levels[static_cast<size_t>(level)].w, source, source == 1 ? 3 : 2, 0);
         block.upload(&values, sizeof values);
         pass.dispatch(ivec3(values.nodes));
         gpu::barrier();

@@ -219,8 +219,8 @@ void main() {
         if (kPath == kVerlet) w = halfKick(middle, sampled, tau);
         if (kPath > kVerlet) w = leap.step.ray.w;
         // Linear look-ups are the gradient of no potential, so |w| would drift from n over many turns.
-        // A share a step keeps it there, and does not take n's own wavering within a voxel into w.
-        if (kField == 1 && kPath > kEuler) w *= mix(1.0, sampled.w * inversesqrt(dot(w, w)), 0.3);
+        // A share a step keeps it there, and takes little of n's own wavering within a voxel into w.
+        if (kField == 1 && kPath > kEuler) w *= mix(1.0, sampled.w * inversesqrt(dot(w, w)), 0.1);
 
         // Left the domain: on its face, on the way out.
         bool outside = any(greaterThanEqual((x - centre) * sign(w), halfSize - 1.0e-4));

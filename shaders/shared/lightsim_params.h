@@ -5,8 +5,7 @@ struct OctreeParams {
     ivec4 size;   // voxels along x, y, z; w: the pyramid's top level
     ivec4 nodes;  // nodes along x, y, z of the level worked on; w: that level
     ivec4 source; // nodes along x, y, z of the level read; w: its first node in the pyramid
-    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an edge,
-                  // w: nodes that level 1 is widened by to each side
+    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an edge
     vec4 limits;  // x: tolerance ε, y: second tolerance ε', z: step limit under ε' [voxel]
 };
 
