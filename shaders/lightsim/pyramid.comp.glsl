@@ -4,8 +4,8 @@
 // Level k has nodes of 2^k voxels. Source 0: level 1 from the voxels. Source 1: level 1 again, each
 // node widened by its 26 neighbours, since the field within a node depends on samples up to three voxels
 // beyond its faces, on the third by little: two are looked at, since three would take a third more steps
-// for a quarter less error. Source 2: level k from k − 1. One program serves all, and its loops run to a count that the
-// compiler does not know: it is compiled on every run.
+// for a quarter less error. Source 2: level k from k − 1. One program serves all, and its loops run to a
+// count that the compiler does not know: it is compiled on every run.
 #include "shared/lightsim_params.h"
 
 #if !defined(INDEX) || !defined(EXTINCTION)
