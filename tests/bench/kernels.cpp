@@ -24,12 +24,6 @@ double passMs(const Stats& stats, const std::string& name) {
     return 0;
 }
 
-double counter(const Stats& stats, const std::string& name) {
-    for (const auto& [known, value] : stats.counters)
-        if (known == name) return value;
-    return 0;
-}
-
 /// GPU time of one dispatch [ms].
 double timed(const gpu::Program& program, glm::ivec3 items) {
     Stats stats;
@@ -103,11 +97,11 @@ Json measureKernels(const Settings& settings) {
         Stats seen, lit;
         march.push_back(bareMarch(device, field.texture()));
         view::render(device, scene, plan, params, std::nullopt, seen, {});
-        view.push_back(1e3 * counter(seen, "steps") / passMs(seen, "view"));
+        view.push_back(1e3 * seen.counter("steps") / passMs(seen, "view"));
         viewRatio.push_back(view.back() / march.back());
         atomics.push_back(bareAtomics(device, false));
         lightsim::simulate(device, hazy, lightPlan, light, lit, {});
-        photons.push_back(1e3 * counter(lit, "deposits") / passMs(lit, "photons"));
+        photons.push_back(1e3 * lit.counter("deposits") / passMs(lit, "photons"));
         photonRatio.push_back(photons.back() / atomics.back());
         cachedAtomics.push_back(bareAtomics(device, false, true));
         if (device.info().software) floatAtomics.push_back(bareAtomics(device, true));

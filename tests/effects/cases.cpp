@@ -111,12 +111,6 @@ double passMs(const Stats& stats, const std::string& name) {
     return 0;
 }
 
-double counter(const Stats& stats, const std::string& name) {
-    for (const auto& [known, value] : stats.counters)
-        if (known == name) return value;
-    return 0;
-}
-
 view::Params viewParams(const Scale& scale) {
     view::Params params;
     params.camera.eye = {0.2, 0.5, 3.2};
@@ -136,7 +130,7 @@ Case viewCase(const std::string& name, volume::Volume volume, const view::Params
     return {name, kViewKernel, false, [=](gpu::Device& device) {
                 Stats stats;
                 image::Image picture = view::render(device, *scene, *plan, params, map, stats, {});
-                return Outcome{passMs(stats, "view"), counter(stats, "steps"),
+                return Outcome{passMs(stats, "view"), stats.counter("steps"),
                                std::move(picture.pixels)};
             }};
 }
@@ -159,7 +153,7 @@ Case photonCase(const std::string& name, volume::Volume made, const lightsim::Pa
                 Stats stats;
                 lightsim::Result result =
                     lightsim::simulate(device, *volume, *plan, params, stats, {});
-                return Outcome{passMs(stats, "photons"), counter(stats, "steps"),
+                return Outcome{passMs(stats, "photons"), stats.counter("steps"),
                                std::move(result.fluence.values)};
             }};
 }
