@@ -37,6 +37,7 @@ struct Params {
     double secondTolerance = 0.02;  ///< ε': range within which a leaf limits the step [1]
     double stepLimit = 8;           ///< longest step in such a leaf [voxel]
     double stepMin = 1;             ///< shortest step [voxel]
+    int maxDepth = 32;              ///< sharp: most boundaries that a photon meets
     int maxSteps = 1 << 16;         ///< of one photon, after which it counts as trapped
     double dropBelow = 1e-5;        ///< a photon is dropped at this share of its first power
     double thinTo = 0.001;          ///< tracing ends when this share of the photons is left

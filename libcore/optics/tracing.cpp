@@ -29,6 +29,13 @@ Interpolation parseInterpolation(const std::string& name) {
     throw UsageError("--interpolation: found '" + name + "', expected linear or cubic");
 }
 
+Boundary parseBoundary(const std::string& name) {
+    if (name == "auto") return Boundary::automatic;
+    if (name == "blurred") return Boundary::blurred;
+    if (name == "sharp") return Boundary::sharp;
+    throw UsageError("--boundary: found '" + name + "', expected auto, blurred or sharp");
+}
+
 Interpolation Tracing::sampling() const {
     if (interpolation) return *interpolation;
     const bool oneLookUp = integrator == Integrator::euler || integrator == Integrator::verlet;

@@ -22,10 +22,18 @@ enum class Interpolation {
     cubic   ///< a B-spline through the samples, 16 unfiltered look-ups
 };
 
+/// What a boundary between two indices is.
+enum class Boundary {
+    automatic, ///< sharp where the file has signed distances, else blurred
+    blurred,   ///< a steep gradient of the grid 'ior', which the ray equation bends rays in
+    sharp      ///< the zero of a signed distance, where Snell's and Fresnel's laws hold
+};
+
 const std::vector<std::string>& integratorNames(); ///< in the order of Integrator
 /// Throw UsageError naming the option.
 Integrator parseIntegrator(const std::string& name);
 Interpolation parseInterpolation(const std::string& name);
+Boundary parseBoundary(const std::string& name);
 
 struct Tracing {
     Integrator integrator = Integrator::verlet;
@@ -37,6 +45,7 @@ struct Tracing {
     /// Central differences as they are, not made unbiased under linear interpolation: as the
     /// sources have it, for comparison. Euler steps take them in any case.
     bool plainSamples = false;
+    Boundary boundary = Boundary::automatic;
 
     Interpolation sampling() const;
     bool unbiased() const { return !plainSamples && integrator != Integrator::euler; }

@@ -26,6 +26,8 @@ const std::vector<std::string>& allAovs();
 
 struct Params : optics::Tracing {
     Camera camera;
+    int maxDepth = 8; ///< sharp: most boundaries that a ray meets
+    int samples = 1;  ///< rays of a pixel, in a fixed pattern
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
     glm::dvec3 background{0};   ///< radiance where there is no map
