@@ -33,13 +33,26 @@ constexpr std::array<GridRule, 12> kRules{{
     {"light_direction", kVector, -kMost, kMost, false, false, "a finite number"},
 }};
 
+/// Whether objects have such grids of their own; what lightsim writes is the whole scene's.
+bool objectsHave(const GridRule& rule) {
+    const std::string name = rule.name;
+    return name != "fluence" && name != "light_direction";
+}
+
 } // namespace
 
 const GridRule* ruleFor(const std::string& grid) {
-    const std::string name = grid.rfind("sdf.", 0) == 0 ? "sdf" : grid;
+    // The first dot ends the contract's name; an object's own may have more of them.
+    const size_t dot = grid.find('.');
+    const std::string name = grid.substr(0, dot);
     for (const GridRule& rule : kRules)
-        if (name == rule.name) return &rule;
+        if (name == rule.name)
+            return dot == std::string::npos || objectsHave(rule) ? &rule : nullptr;
     return nullptr;
+}
+
+std::string ownGrid(const std::string& grid, const std::string& object) {
+    return grid + "." + object;
 }
 
 std::optional<std::string> fault(const GridRule* rule, float value) {

@@ -17,7 +17,8 @@ struct GridRule {
     const char* wanted;       ///< the range in words, for messages
 };
 
-/// The rule for a grid of the contract, or null for any other name.
+/// The rule for a grid of the contract, or null for any other name. An object's own grid
+/// (`ior.glass`, `sdf.glass`) has the rule of what stands before the dot.
 const GridRule* ruleFor(const std::string& grid);
 
 /// What is wrong with `value` under the rule ("is -1, expected >= 0"), or nothing.

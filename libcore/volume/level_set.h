@@ -13,4 +13,8 @@ openvdb::FloatGrid::Ptr makeLevelSet(const glm::dmat4& indexFromWorld,
                                      const std::vector<glm::dvec3>& points,
                                      const std::vector<Shells>& shells, double halfWidth);
 
+/// A narrow band of values [unit] over `box`, cut to `halfWidth` [unit] either side: what lies
+/// beyond is inactive and keeps its sign.
+openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const DenseGrid& values, float halfWidth);
+
 } // namespace eikonal::volume

@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "volume/contract.h"
 #include "volume/level_set.h"
+#include "volume/objects.h"
 #include "volume/vdb_frame.h"
 #include "volume/vdb_stream.h"
 
@@ -155,6 +156,13 @@ struct Volume::Impl {
         return nullptr;
     }
 
+    /// The contract name of a grid of the file, or "" if the contract has another for it.
+    std::string contractName(const std::string& nameInTheFile) const {
+        for (const auto& [contract, mapped] : names)
+            if (mapped == nameInTheFile) return contract;
+        return names.count(nameInTheFile) > 0 ? "" : nameInTheFile;
+    }
+
     std::string foundNames() const {
         std::vector<std::string> found;
         for (const Entry& entry : entries) found.push_back(entry.grid->getName());
@@ -240,7 +248,12 @@ struct Volume::Impl {
                             toText(kLongestEdge) + " along an axis");
     }
 
-    void replace(const GridBase::Ptr& grid, const IndexBox& active) {
+    /// Takes in a grid made under its contract name, in place of one of that name.
+    void place(const GridBase::Ptr& grid) {
+        grid->setTransform(toTransform(frame));
+        const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
+        const IndexBox active =
+            box.empty() ? IndexBox{} : IndexBox{fromCoord(box.min()), fromCoord(box.max())};
         Entry* old = find(grid->getName());
         grid->setName(nameInFile(grid->getName()));
         if (old)
@@ -304,6 +317,20 @@ std::vector<GridFacts> Volume::grids() const {
     return facts;
 }
 
+std::vector<ObjectFacts> Volume::objects() const {
+    std::map<std::string, const GridBase*> levelSets; // by contract name
+    for (const Impl::Entry& entry : mImpl->entries) {
+        const std::string name = mImpl->contractName(entry.grid->getName());
+        if (isLevelSet(name) && has(name)) levelSets.emplace(name, entry.grid.get());
+    }
+    std::vector<ObjectFacts> objects;
+    for (const auto& [name, grid] : levelSets)
+        objects.push_back(
+            objectOf(*grid, name, static_cast<int>(objects.size()), mImpl->where(name)));
+    settlePrecedence(objects, mImpl->path);
+    return objects;
+}
+
 bool Volume::has(const std::string& grid) const {
     const Impl::Entry* entry = mImpl->find(grid);
     if (!entry) return false;
@@ -335,6 +362,12 @@ glm::vec3 Volume::background(const std::string& grid, const glm::vec3& absent) c
         if (const auto wrong = fault(ruleFor(grid), value[i]))
             throw DataError(mImpl->where(grid) + ": the background " + *wrong);
     return value;
+}
+
+std::optional<glm::vec3> Volume::constant(const std::string& grid) const {
+    require(grid);
+    if (!mImpl->find(grid)->active.empty()) return std::nullopt;
+    return background(grid, glm::vec3(0));
 }
 
 DenseGrid Volume::dense(const std::string& grid, const IndexBox& box) const {
@@ -390,13 +423,38 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
         if (old) inherit(*scalars, *old->grid, options.keepActive);
         made = scalars;
     }
-    made->setTransform(toTransform(mImpl->frame));
     made->setName(grid);
     if (!old) made->setCreator("eikonal");
-    const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
-    mImpl->replace(made, active.empty()
-                             ? IndexBox{}
-                             : IndexBox{fromCoord(active.min()), fromCoord(active.max())});
+    mImpl->place(made);
+}
+
+void Volume::putConstant(const std::string& grid, const glm::vec3& value) {
+    const GridRule* rule = ruleFor(grid);
+    if (!rule) throw InternalError("grid '" + grid + "': not of the contract, it has no type");
+    GridBase::Ptr made;
+    if (rule->type == GridType::vector) {
+        const auto vectors = Vec3SGrid::create(openvdb::Vec3s(value.x, value.y, value.z));
+        vectors->setVectorType(openvdb::VEC_INVARIANT);
+        made = vectors;
+    } else {
+        made = FloatGrid::create(value.x);
+        made->setGridClass(openvdb::GRID_FOG_VOLUME);
+    }
+    made->setName(grid);
+    made->setCreator("eikonal");
+    mImpl->place(made);
+}
+
+void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
+                         double halfWidth) {
+    if (const auto wrong = findFault(nullptr, values, box.min))
+        throw InternalError("grid '" + object.sdf + "': " + *wrong);
+    const auto made =
+        makeLevelSet(box, values, static_cast<float>(halfWidth * mImpl->frame.voxelSize));
+    describe(*made, object);
+    made->setName(object.sdf);
+    made->setCreator("eikonal");
+    mImpl->place(made);
 }
 
 void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
@@ -410,14 +468,10 @@ void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
         it.setValue(*it * size);
     });
     openvdb::tools::changeBackground(made->tree(), static_cast<float>(halfWidth) * size);
-    made->setTransform(toTransform(mImpl->frame));
     made->setGridClass(openvdb::GRID_LEVEL_SET);
     made->setName(grid);
     made->setCreator("eikonal");
-    const openvdb::CoordBBox active = made->evalActiveVoxelBoundingBox();
-    mImpl->replace(made, active.empty()
-                             ? IndexBox{}
-                             : IndexBox{fromCoord(active.min()), fromCoord(active.max())});
+    mImpl->place(made);
 }
 
 std::string Volume::metadata(const std::string& key) const {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,20 @@ struct GridFacts {
     IndexBox active;
 };
 
+/// An object of a scene: the space where its level set is negative.
+struct ObjectFacts {
+    std::string name; ///< its own values are the grids ownGrid(GRID, name)
+    std::string sdf;  ///< contract name of its level set: `sdf` or `sdf.NAME`
+    int priority = 0; ///< where objects overlap the higher wins, among equals the later
+    int order = 0;    ///< its place on the command line that made it, 0 first
+};
+
+/// What surrounds all objects, where its values vary: `ior.medium` and its like. No object's name.
+constexpr const char* kMedium = "medium";
+
+/// The grid of an object's own, one-sided values: ownGrid("ior", "glass") is "ior.glass".
+std::string ownGrid(const std::string& grid, const std::string& object);
+
 /// Contract names mapped to the names in the file, from `--grid-ior NAME` and its like.
 using GridNames = std::map<std::string, std::string>;
 
@@ -90,14 +105,22 @@ public:
     /// The box of active voxels over all grids; the domain is this box padded by half a voxel.
     const IndexBox& domain() const;
     std::vector<GridFacts> grids() const;
+    /// The objects that level sets `sdf`, `sdf.NAME` bound, the one that wins where objects overlap
+    /// first. Where metadata are missing the name is the suffix ("" of plain `sdf`), the priority
+    /// 0, the order the level set's place among all by name. Throws DataError if two have one name.
+    std::vector<ObjectFacts> objects() const;
 
     /// Whether the grid of this contract name is there. Throws DataError if its type is not the
     /// contract's.
     bool has(const std::string& grid) const;
     /// The background, or `absent` if the grid is not there. Checked like values.
     glm::vec3 background(const std::string& grid, const glm::vec3& absent) const;
+    /// The value of a grid that has no active voxel, which is its background; nothing if it has
+    /// one. A scalar stands in all three components. Checked like values.
+    std::optional<glm::vec3> constant(const std::string& grid) const;
     /// The values within `box`, checked against the contract's range for the name: finite, index
-    /// above 0, coefficients not negative, |g| < 1. Throws DataError naming grid and voxel.
+    /// above 0, coefficients not negative, |g| < 1. Throws DataError naming grid and voxel. A level
+    /// set gives its band's half width beyond its band, negative inside.
     DenseGrid dense(const std::string& grid, const IndexBox& box) const;
     /// For a grid that must be there: throws DataError "no grid 'ior' (found: density)".
     void require(const std::string& grid) const;
@@ -106,6 +129,13 @@ public:
     /// its metadata (class, creator, the user's own). Throws InternalError on a NaN or infinity.
     void put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
              const PutOptions& options);
+    /// Adds or replaces a grid of the contract that is `value` everywhere: no active voxel, so that
+    /// it costs nothing. Scalars take the first component.
+    void putConstant(const std::string& grid, const glm::vec3& value);
+    /// Adds or replaces the level set of an object. `values` over `box` are distances [unit],
+    /// negative inside; they are cut to `halfWidth` [voxel] either side, and active below that.
+    void putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
+                     double halfWidth);
     /// Adds a narrow-band signed distance [unit] to closed surfaces in world space, negative
     /// inside, `halfWidth` voxels wide either side, cut to `box`. (OpenVDB's mesh conversion.)
     /// `shells` adds and hollows out in its order, the outermost first.

@@ -1,4 +1,5 @@
 eikonal_test(test_volume SOURCES volume/volume_test.cpp volume/bad_volume_test.cpp
+                     volume/objects_test.cpp
              LIBRARIES Imath::Imath)
 
 # Small analytic scenes for the tests of every stage.
