@@ -29,7 +29,8 @@ struct Medium {
     Scalar index; ///< n [1]
     Vector force; ///< ½∇(n²) [1/voxel]
     /// Where the field is not smooth: a point belongs to the first part it is within, and the last
-    /// is everywhere. n must be continuous from part to part. Empty: one smooth formula.
+    /// is everywhere. n must be continuous from part to part. Empty: one smooth formula. A single
+    /// part that is not everywhere: nothing is known beyond its edge, and rays end on it.
     std::vector<Part> parts;
     /// No step may be longer [voxel], or it might leap over a thin layer unseen.
     double longestStep = std::numeric_limits<double>::infinity();

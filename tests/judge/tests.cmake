@@ -1,11 +1,13 @@
 # A reference in double precision, which shares no code with libcore or the shaders: that is why
 # its own test links neither.
 add_library(judge STATIC judge/media.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
-                         judge/photons.cpp)
+                         judge/photons.cpp judge/glass.cpp judge/glass_photons.cpp)
 target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_include_directories(judge SYSTEM PUBLIC ${GLM_INCLUDE})
+find_package(Threads REQUIRED)
+target_link_libraries(judge PUBLIC Threads::Threads)
 
-add_executable(test_judge judge/trace_test.cpp judge/snell_test.cpp)
+add_executable(test_judge judge/trace_test.cpp judge/snell_test.cpp judge/glass_test.cpp)
 target_link_libraries(test_judge PRIVATE judge GTest::gtest_main)
 set_target_properties(test_judge PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
 add_test(NAME test_judge COMMAND test_judge)

@@ -103,18 +103,21 @@ public:
     Exit run(const Ray& ray, dvec3 low, dvec3 high) {
         start(ray);
         std::optional<Event> end;
-        while (!end || end->kind == Event::Kind::Edge) {
+        while (!end) {
             end = advance();
             noteDrift();
-            if (end && end->kind == Event::Kind::Edge) enter(partBeyond(end->which));
+            if (end && end->kind == Event::Kind::Edge && mParts.size() > 1) {
+                enter(partBeyond(end->which));
+                end = {};
+            }
         }
         Exit exit{mFrame.voxelFromUnit(positionOf(mState)),
                   glm::normalize(momentumOf(mState)),
                   mFrame.length * mState[6],
                   mFrame.length * mState[7],
                   mDrift,
-                  end->kind == Event::Kind::Face};
-        if (exit.left) {
+                  end->kind != Event::Kind::Length};
+        if (end->kind == Event::Kind::Face) {
             const int axis = end->which % 3;
             exit.x[axis] = end->which < 3 ? low[axis] : high[axis];
         }

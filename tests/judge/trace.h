@@ -12,7 +12,7 @@ struct Ray {
 };
 
 struct Exit {
-    dvec3 x;              ///< [voxel], exactly on the face it left by
+    dvec3 x;              ///< [voxel], exactly on the face it left by, or on the medium's edge
     dvec3 direction;      ///< of length 1
     double opticalLength; ///< ∫ n ds within the box [voxel]
     double pathLength;    ///< ∫ ds within the box [voxel]
@@ -22,7 +22,8 @@ struct Exit {
 
 /// Follows dx/dτ = w, dw/dτ = ½∇(n²) with w = n dx/ds through the box [low, high]. A ray from
 /// outside is first brought straight to the box, whose faces do not refract; one that misses the
-/// box comes back as it went, with lengths of 0.
+/// box comes back as it went, with lengths of 0. Where the medium is a single part with an edge the
+/// ray leaves there, too, to rounding.
 /// tolerance: error of one step (Fehlberg's formula of order 8), relative to half the box's longest
 /// edge; mostLength: where to stop a trapped ray [voxel].
 /// Throws std::invalid_argument for an empty box or no direction, std::runtime_error where the
