@@ -54,6 +54,8 @@ void Params::check() const {
         require(camera.fov > 0 && camera.fov < 180, "--fov", toText(camera.fov),
                 "above 0 and below 180 degrees");
     Tracing::check("--tolerance");
+    require(maxDepth >= 0 && maxDepth <= 64, "--max-depth", std::to_string(maxDepth), "0 to 64");
+    require(samples >= 1 && samples <= 4096, "--samples", std::to_string(samples), "1 to 4096");
     require(maxSteps >= 0, "--max-steps", std::to_string(maxSteps), "0 or more");
     require(background.x >= 0 && background.y >= 0 && background.z >= 0, "--background",
             "a radiance below 0", "0 or more");

@@ -51,6 +51,18 @@ medium::Index Scene::index() const {
     return medium::readIndex(volume ? *volume : mVolumes.front(), mDomain);
 }
 
+const volume::Volume* Scene::objectsHolder() const {
+    for (const volume::Volume& volume : mVolumes)
+        if (!volume.objects().empty()) return &volume;
+    return nullptr;
+}
+
+medium::Objects Scene::objects() const {
+    const volume::Volume* volume = objectsHolder();
+    if (!volume) mVolumes.front().require("sdf");
+    return medium::readObjects(*volume, mDomain);
+}
+
 medium::Coefficient Scene::fluence() const {
     medium::Coefficient sum;
     for (const volume::Volume& volume : mVolumes) {

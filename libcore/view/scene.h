@@ -3,6 +3,7 @@
 #pragma once
 
 #include "medium/medium.h"
+#include "medium/objects.h"
 #include "volume/volume.h"
 
 #include <string>
@@ -27,6 +28,10 @@ public:
     /// A coefficient of the medium, from the first file that has it.
     medium::Coefficient coefficient(const std::string& grid) const;
     medium::Index index() const;
+    /// Whether some file has signed distances.
+    bool hasObjects() const { return objectsHolder() != nullptr; }
+    /// The objects of the first file that has some. Throws DataError if none has.
+    medium::Objects objects() const;
     /// [W/m²], from all files.
     medium::Coefficient fluence() const;
     /// World space, weighted by the files' fluence.
@@ -34,6 +39,7 @@ public:
 
 private:
     const volume::Volume* holder(const std::string& grid) const;
+    const volume::Volume* objectsHolder() const;
     std::vector<volume::Volume> mVolumes;
     volume::IndexBox mDomain;
 };

@@ -4,12 +4,14 @@
 
 #include "gpu/program.h"
 #include "medium/field.h"
+#include "medium/surfaces.h"
 #include "view/bands.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -27,11 +29,11 @@ using gpu::Buffer;
 using gpu::TexelFormat;
 using gpu::Texture;
 #include "shared/view_params.h"
-static_assert(sizeof(ViewParams) == 240);
+static_assert(sizeof(ViewParams) == 272);
 static_assert(sizeof(PixelPath) == 64);
 
 // As in shaders/view/march.comp.glsl.
-constexpr size_t kSlots = 64, kCounters = 5;
+constexpr size_t kSlots = 64, kCounters = 8;
 
 // Adaptive steps get no shorter than this [voxel]: floats hold no position much better.
 constexpr double kShortestStep = 1e-3;
@@ -53,7 +55,11 @@ private:
         const double step = mParams.step > 0 ? mParams.step : mParams.usualStep(gathers);
         return step / static_cast<double>(mPlan.index.most);
     }
+    gpu::Switches switches(bool hasMap) const;
+    void uploadLight();
     void uploadMedium();
+    void uploadDirection();
+    void uploadNoDirection();
     void uploadSurface();
     void uploadMap(const image::Image& map);
     void aim(bool hasMap, bool mapByEdges);
@@ -72,6 +78,7 @@ private:
     gpu::Profiler mProfiler;
     glm::dmat4 mVoxelFromWorld, mWorldFromVoxel;
     medium::Field mField;
+    medium::Surfaces mSurfaces;
     Texture mDimming, mSource, mLobes, mEmission, mSurface, mFluence, mMap;
     Buffer mBlock, mColours, mPaths, mCounters;
     ViewParams mValues{};
@@ -86,29 +93,24 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
       mVoxelFromWorld(scene.frame().indexFromWorld()) {
     mVoxelFromWorld[3] -= glm::dvec4(dvec3(scene.domain().min), 0.0);
     mWorldFromVoxel = glm::inverse(mVoxelFromWorld);
-    const bool shines = plan.scatters || plan.emits;
-    const int channels = plan.colour ? 3 : plan.dims ? 1 : 0;
     mProfiler.begin("shaders");
-    mMarch = gpu::Program(device, "view/march.comp.glsl",
-                          {{"PATH", params.pathSwitch(plan.bends)},
-                           {"FIELD", medium::fieldSwitch(plan.bends, params.sampling())},
-                           {"CHANNELS", channels},
-                           {"SOURCE", plan.lobes ? 2
-                                      : shines   ? 1
-                                                 : 0},
-                           {"EMISSION", plan.lobes && plan.emits},
-                           {"OPAQUE", plan.opaque},
-                           {"MAP", map.has_value()},
-                           {"PATHS", wantsPaths(plan, params)}});
+    mMarch = gpu::Program(device, plan.sharp ? "view/sharp.comp.glsl" : "view/march.comp.glsl",
+                          switches(map.has_value()));
     mProfiler.end();
     mProfiler.begin("medium");
     const bool verlet = params.integrator == Integrator::verlet;
-    mField = plan.bends ? medium::Field(device, plan.index.grid,
-                                        {params.sampling(), params.unbiased(),
-                                         verlet && params.unbiased() ? longestTau() : 0})
-                        : medium::Field(device, plan.index.least);
-    uploadMedium();
-    if (plan.opaque) uploadSurface();
+    mField = plan.index.varies()
+                 ? medium::Field(device, plan.index.grid,
+                                 {params.sampling(), params.unbiased(),
+                                  verlet && params.unbiased() ? longestTau() : 0})
+                 : medium::Field(device, plan.index.least);
+    if (plan.sharp) {
+        mSurfaces = medium::Surfaces(device, plan.objects, scene.frame().voxelSize);
+        uploadLight();
+    } else {
+        uploadMedium();
+        if (plan.opaque) uploadSurface();
+    }
     if (map) uploadMap(*map);
     mProfiler.end();
     aim(map.has_value(), map && map->envmap == image::Envmap::latLong);
@@ -123,6 +125,40 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
     const size_t pixels = static_cast<size_t>(params.camera.width) * params.camera.rows;
     mPicture.resize(pixels);
     if (paths) mPicturePaths.resize(pixels);
+}
+
+gpu::Switches Rendering::switches(bool hasMap) const {
+    const bool bends = mPlan.index.varies();
+    const bool emits = mPlan.emits && (mPlan.sharp || mPlan.lobes);
+    const bool shines = mPlan.scatters || (mPlan.emits && !mPlan.sharp);
+    gpu::Switches list{{"PATH", mParams.pathSwitch(bends)},
+                       {"FIELD", medium::fieldSwitch(bends, mParams.sampling())},
+                       {"CHANNELS", mPlan.colour ? 3
+                                    : mPlan.dims ? 1
+                                                 : 0},
+                       {"SOURCE", mPlan.lobes ? 2
+                                  : shines    ? 1
+                                              : 0},
+                       {"EMISSION", emits},
+                       {"OPAQUE", mPlan.opaque},
+                       {"MAP", hasMap},
+                       {"PATHS", wantsPaths(mPlan, mParams)}};
+    if (mPlan.sharp) {
+        const auto depth = static_cast<unsigned>(std::max(mParams.maxDepth, 1));
+        list.emplace_back("SOLIDS", static_cast<int>(mPlan.objects.solids.size()));
+        list.emplace_back("WAITING", static_cast<int>(std::bit_ceil(depth)));
+    }
+    return list;
+}
+
+/// Light for media and opaque surfaces within sharp boundaries, which know their coefficients.
+void Rendering::uploadLight() {
+    if (mPlan.fluence.present)
+        mFluence = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            for (int c = 0; c < 3; ++c) out[c] = mPlan.fluence.at(i, c);
+        });
+    if (mPlan.lightDirection.present) uploadDirection();
+    if (mPlan.opaque && mLobes.name() == 0) uploadNoDirection();
 }
 
 void Rendering::uploadMedium() {
@@ -155,23 +191,32 @@ void Rendering::uploadMedium() {
         mDimming =
             padded(TexelFormat::r32f, true, [&](size_t i, float* out) { out[0] = sigma(i, 0); });
     }
-    if (plan.lobes || (plan.opaque && plan.lightDirection.present)) {
-        const glm::mat3 turn = glm::transpose(
-            glm::mat3(glm::dmat3(mScene.frame().worldFromIndex) / mScene.frame().voxelSize));
-        mLobes = padded(TexelFormat::rgba32f, false, [&](size_t i, float* out) {
-            const glm::vec3 d =
-                turn * glm::vec3(plan.lightDirection.at(i, 0), plan.lightDirection.at(i, 1),
-                                 plan.lightDirection.at(i, 2));
-            out[0] = d.x;
-            out[1] = d.y;
-            out[2] = d.z;
-            out[3] = plan.anisotropy.at(i, 0);
-        });
-    }
+    if (plan.lobes || (plan.opaque && plan.lightDirection.present)) uploadDirection();
     if (plan.lobes && plan.emits)
         mEmission = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
             for (int c = 0; c < 3; ++c) out[c] = plan.emission.at(i, c) * h;
         });
+}
+
+/// In voxel space, and g beside it.
+void Rendering::uploadDirection() {
+    const glm::mat3 turn = glm::transpose(
+        glm::mat3(glm::dmat3(mScene.frame().worldFromIndex) / mScene.frame().voxelSize));
+    mLobes = padded(TexelFormat::rgba32f, false, [&](size_t i, float* out) {
+        const glm::vec3 d =
+            turn * glm::vec3(mPlan.lightDirection.at(i, 0), mPlan.lightDirection.at(i, 1),
+                             mPlan.lightDirection.at(i, 2));
+        out[0] = d.x;
+        out[1] = d.y;
+        out[2] = d.z;
+        out[3] = mPlan.anisotropy.at(i, 0);
+    });
+}
+
+/// Light without a stored direction falls on surfaces from all sides.
+void Rendering::uploadNoDirection() {
+    mLobes = Texture(mDevice, ivec3(1), TexelFormat::rgba32f, gpu::Filter::linear);
+    mLobes.clear();
 }
 
 void Rendering::uploadSurface() {
@@ -183,11 +228,7 @@ void Rendering::uploadSurface() {
         mFluence = padded(TexelFormat::rgba32f, true, [&](size_t i, float* out) {
             for (int c = 0; c < 3; ++c) out[c] = mPlan.fluence.at(i, c);
         });
-    // Light without a stored direction falls on surfaces from all sides.
-    if (mLobes.name() == 0) {
-        mLobes = Texture(mDevice, ivec3(1), TexelFormat::rgba32f, gpu::Filter::linear);
-        mLobes.clear();
-    }
+    if (mLobes.name() == 0) uploadNoDirection();
 }
 
 void Rendering::uploadMap(const image::Image& map) {
@@ -226,9 +267,12 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
     v.forward = vec4(turn * forward, 0);
     v.right = vec4(turn * right * (half * aspect), 0);
     v.up = vec4(turn * up * half, 0);
-    const bool euler = mPlan.bends && mParams.integrator == Integrator::euler;
+    const bool euler = mPlan.bends && !mPlan.sharp && mParams.integrator == Integrator::euler;
     v.march = vec4(euler ? step : tau, mPlan.index.background, kShortestStep * tau / step,
                    adaptive ? std::min(1.0, step) * tau / step : tau);
+    // What floats hold of a picture is three decimals: a thousandth of a ray's light is let go.
+    const double kLeastThroughput = 1e-3;
+    v.sharp = vec4(mParams.maxDepth, kLeastThroughput, step, 0);
     v.tracing = vec4(mParams.tolerance, glm::length(dvec3(size)), 0, 0);
     v.background = vec4(mParams.background, hasMap ? (mapByEdges ? 3 : 2) : 1);
     v.scale = vec4(1.0f / glm::vec3(size + 2), 0);
@@ -255,6 +299,7 @@ image::Image Rendering::run(const Progress& progress) {
     for (unsigned unit = 0; unit < 7; ++unit)
         if (textures[unit]->name() != 0) textures[unit]->bindSampler(1 + unit);
     mField.bind();
+    if (mPlan.sharp) mSurfaces.bind();
     mColours.bindStorage(0);
     mPaths.bindStorage(1);
     mCounters.bindStorage(2);
@@ -263,10 +308,17 @@ image::Image Rendering::run(const Progress& progress) {
         const int rows = std::min(rowsPerBand(mParams), camera.rows - row);
         mValues.picture.z = row;
         mValues.picture.w = rows;
-        mBlock.upload(&mValues, sizeof mValues);
         mProfiler.begin("view");
-        mMarch.dispatch({camera.width, rows, 1});
-        gpu::barrier();
+        for (int sample = 0; sample < mParams.samples; ++sample) {
+            // The plastic number's powers: any number of rays is spread evenly over the pixel, and
+            // the first goes through its centre.
+            const glm::dvec2 place =
+                glm::fract(0.5 + static_cast<double>(sample) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+            mValues.pattern = vec4(place, sample == 0 ? 1 : 0, 1.0 / mParams.samples);
+            mBlock.upload(&mValues, sizeof mValues);
+            mMarch.dispatch({camera.width, rows, 1});
+            gpu::barrier();
+        }
         mProfiler.end();
         mDevice.check("view");
         readBand(row, rows);
@@ -294,7 +346,18 @@ void Rendering::readCounters() {
     for (size_t counter = 0; counter < 3; ++counter)
         for (size_t slot = 0; slot < kSlots; ++slot)
             mStats.count(names[counter], static_cast<double>(value(slot, counter)));
-    if (mPlan.bends && mParams.integrator == Integrator::adaptive) {
+    if (mPlan.sharp) {
+        const auto sum = [&](size_t counter) {
+            double all = 0;
+            for (size_t slot = 0; slot < kSlots; ++slot) all += static_cast<double>(value(slot, counter));
+            return all;
+        };
+        const double kShare = 1048576, rays = std::max(sum(0), 1.0); // as in sharp.comp.glsl
+        mStats.count("boundaries_met", sum(5));
+        mStats.count("light_dropped_by_depth", sum(6) / kShare / rays);
+        mStats.count("light_dropped_as_dim", sum(7) / kShare / rays);
+    }
+    if (mPlan.index.varies() && mParams.integrator == Integrator::adaptive) {
         float worst = 0;
         double over = 0;
         for (size_t slot = 0; slot < kSlots; ++slot) {

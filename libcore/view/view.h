@@ -6,6 +6,7 @@
 #include "base/stats.h"
 #include "image/exr.h"
 #include "image/image.h"
+#include "medium/objects.h"
 #include "view/params.h"
 #include "view/scene.h"
 
@@ -26,6 +27,10 @@ struct Plan {
     bool emits = false;
     bool opaque = false;
     bool map = false; ///< an environment map surrounds the scene
+    bool scattersUnlit = false; ///< sharp: something would scatter, but there is no light
+    bool sharp = false;      ///< rays part at the boundaries of `objects`; the coefficients below
+                             ///< but for the light are empty then
+    medium::Objects objects;
     medium::Index index;
     medium::Coefficient absorption, scattering, anisotropy, emission, opacity, albedo, fluence,
         lightDirection;

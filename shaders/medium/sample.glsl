@@ -1,7 +1,7 @@
 // The index field at a point, as every ray reads it: (½∇(n²) [1/voxel], n) by voxel coordinates.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/field_params.h"
-#include "lib/spline.glsl"
+#include "medium/spline.glsl"
 
 #ifndef FIELD
 #error FIELD must be 0 (a constant index), 1 (linear) or 2 (cubic)
@@ -16,30 +16,12 @@ layout(binding = 8) uniform sampler3D field; // per texel four spline coefficien
 #endif
 
 #if FIELD == 2
-// The potential ½(n² − n₀²) is one spline, its gradient the spline's own. A texel has all that a row
-// needs: 16 of them, unfiltered, where filtered look-ups would take 8 for the value alone.
+// The potential ½(n² − n₀²) is one spline, its gradient the spline's own.
 vec4 fieldAt(vec3 x) {
     // Coefficients reach a voxel beyond the faces.
     vec3 at = clamp(x, vec3(-0.999), fieldParams.high.xyz + 0.999);
     vec3 cell = floor(at);
-    vec3 t = at - cell;
-    vec4 wx = splineWeights(t.x);
-    vec4 wy = splineWeights(t.y);
-    vec4 wz = splineWeights(t.z);
-    vec4 sx = splineSlopes(t.x);
-    vec4 sy = splineSlopes(t.y);
-    vec4 sz = splineSlopes(t.z);
-    vec3 texel = (cell + 1.5) * fieldParams.scale.xyz; // unfiltered; faster than texelFetch on Mesa
-    vec4 sum = vec4(0.0); // gradient, value
-    for (int k = 0; k < 4; ++k) {
-        vec3 row = vec3(0.0); // over y of: value, ∂x, ∂y
-        for (int j = 0; j < 4; ++j) {
-            vec4 c = textureLod(field, texel + vec3(0, j, k) * fieldParams.scale.xyz, 0.0);
-            float value = dot(c, wx);
-            row += vec3(wy[j] * value, wy[j] * dot(c, sx), sy[j] * value);
-        }
-        sum += vec4(wz[k] * row.y, wz[k] * row.z, sz[k] * row.x, wz[k] * row.x);
-    }
+    vec4 sum = splineAt(field, cell + 1.5, fieldParams.scale.xyz, at - cell);
     // The potential that steps of τ see is higher by τ²/24 |∇U|².
     float square = fieldParams.cubic.x + 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz);
     // Overshoot beside a jump must not make the index vanish.

@@ -18,6 +18,8 @@ struct ViewParams {
     vec4 mapFromVoxel2;
     vec4 scale;        // xyz: 1 / (size + 2), voxels to coordinates of padded textures
     vec4 light;        // x: 1 if the file has light for opaque surfaces
+    vec4 pattern;      // xy: where in its pixel a ray goes; z: 1 for the first of its rays; w: its share
+    vec4 sharp;        // x: most boundaries a ray meets, y: throughput below which it is dropped
 };
 
 // One pixel's result, beside its colour.

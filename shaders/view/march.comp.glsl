@@ -27,7 +27,7 @@ const bool kPaths = PATHS == 1;     // each ray's path is written, beside its co
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std140, binding = 0) uniform Params { ViewParams params; };
 #include "view/environment.glsl"
-layout(std430, binding = 0) writeonly buffer Colours { vec4 colours[]; };
+layout(std430, binding = 0) buffer Colours { vec4 colours[]; };
 layout(std430, binding = 1) writeonly buffer Paths { PixelPath paths[]; };
 layout(std430, binding = 2) buffer Counters { uvec2 counters[]; }; // (low, high): see kSlots
 #include "medium/sample.glsl"
@@ -39,22 +39,7 @@ layout(binding = 4) uniform sampler3D emission;
 layout(binding = 5) uniform sampler3D surface;  // opacity, albedo
 layout(binding = 6) uniform sampler3D fluence;  // for opaque surfaces
 
-// Counters are spread over slots so that pixels do not queue for one.
-const uint kSlots = 64u;
-const uint kRays = 0u, kSteps = 1u, kTrappedRays = 2u, kWorst = 3u, kOver = 4u, kCounters = 5u;
-
-void count(uint counter, uint amount) {
-    uint slot = (gl_WorkGroupID.x + 7u * gl_WorkGroupID.y) % kSlots;
-    uint before = atomicAdd(counters[slot * kCounters + counter].x, amount);
-    if (before > 0xFFFFFFFFu - amount) atomicAdd(counters[slot * kCounters + counter].y, 1u);
-}
-
-// The largest estimate of a ray's error, as the bits of a float, and the rays above the tolerance.
-void noteError(float error) {
-    uint slot = (gl_WorkGroupID.x + 7u * gl_WorkGroupID.y) % kSlots;
-    atomicMax(counters[slot * kCounters + kWorst].x, floatBitsToUint(error));
-    if (error > params.tracing.x) count(kOver, 1u);
-}
+#include "view/sight.glsl"
 
 vec3 coordinate(vec3 x) {
     return (x + 1.5) * params.scale.xyz;
@@ -69,40 +54,16 @@ void main() {
     int at = pixel.y * params.picture.x + pixel.x;
     pixel.y += params.picture.z;
 
-    // Set up in double: a distant eye must not jitter the point of entry.
-    vec2 s = vec2(2.0, -2.0) * (vec2(pixel) + 0.5) / vec2(params.picture.xy) + vec2(-1.0, 1.0);
-    bool perspective = params.eyeHigh.w == 1.0;
-    dvec3 eye = dvec3(params.eyeHigh.xyz) + dvec3(params.eyeLow.xyz);
-    dvec3 offset = double(s.x) * dvec3(params.right.xyz) + double(s.y) * dvec3(params.up.xyz);
-    dvec3 towards = dvec3(params.forward.xyz) + (perspective ? offset : dvec3(0.0));
-    towards /= sqrt(dot(towards, towards));
-    if (!perspective) eye += offset;
-    dvec3 far = dvec3(params.size.xyz) - 0.5;
-    double enter = 0.0LF;
-    double leave = 1.0e300LF;
-    for (int i = 0; i < 3; ++i) {
-        if (towards[i] == 0.0LF) {
-            if (eye[i] < -0.5LF || eye[i] > far[i]) leave = -1.0LF;
-        } else {
-            double a = (-0.5LF - eye[i]) / towards[i];
-            double b = (far[i] - eye[i]) / towards[i];
-            enter = max(enter, min(a, b));
-            leave = min(leave, max(a, b));
-        }
-    }
-    bool hits = enter < leave;
-
-    vec3 start = vec3(towards);
-    vec3 low = vec3(-0.5);
-    vec3 high = vec3(params.size.xyz) - 0.5;
-    Ray ray = Ray(hits ? clamp(vec3(eye + enter * towards), low, high) : vec3(eye), start);
+    Sight sight = sightOf(pixel);
+    bool hits = sight.hits;
+    Ray ray = Ray(sight.start, sight.direction);
     Walk walk = Walk(ray, Ray(vec3(0.0), vec3(0.0)), vec3(0.0), vec3(1.0), 0.0, 0.0, 0, kWalking, 0.0, ray.x, ray.x);
 
     float entry = 1.0; // the index where the ray enters
     if (hits) {
         entry = indexAt(walk.ray.x);
         walk.ray.w *= entry;
-        walk = walkThrough(walk, 0.5 * (low + high), 0.5 * (high - low));
+        walk = walkThrough(walk, 0.5 * vec3(params.size.xyz) - 0.5, 0.5 * vec3(params.size.xyz));
         count(kRays, 1u);
         count(kSteps, uint(walk.steps));
         if (walk.fate == kTrapped) count(kTrappedRays, 1u);
@@ -121,14 +82,13 @@ void main() {
         vec3 sky = backgroundLight(direction);
         light += walk.through * sky / (params.march.y * params.march.y);
     }
-    bool eyeInside = hits && enter == 0.0LF;
-    float n = eyeInside ? entry : params.march.y;
-    vec3 turned = direction - start;
+    float n = sight.within ? entry : params.march.y;
+    vec3 turned = direction - sight.direction;
     // Where no gradient acted the direction is the same but for rounding.
     bool changed = hits && (stopped || dot(turned, turned) > 1.0e-12 ||
                             walk.through != vec3(1.0) || walk.light != vec3(0.0));
-    colours[at] = vec4(light * (n * n), changed ? 1.0 : 0.0);
-    if (kPaths) {
+    putColour(at, vec4(light * (n * n), changed ? 1.0 : 0.0));
+    if (kPaths && params.pattern.z == 1.0) {
         PixelPath path;
         path.place = vec4(walk.ray.x, walk.opticalLength);
         path.direction = vec4(direction, walk.pathLength);

@@ -1,0 +1,272 @@
+// Objects' boundaries on the device, as shaders/medium/surface.glsl reads them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medium/surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <tbb/parallel_for.h>
+
+namespace eikonal::medium {
+
+namespace {
+
+using glm::ivec3;
+using glm::vec3;
+using glm::vec4;
+#include "shared/surface_params.h"
+static_assert(sizeof(SurfaceParams) == 32 + 12 * 32 + 13 * 96);
+
+// As in shaders/medium/surface.glsl.
+constexpr unsigned kBinding = 4, kDistancesUnit = 9, kClearanceUnit = 10, kNearbyUnit = 11;
+constexpr float kNear = 3.5f; // [voxel]
+
+// From a voxel's centre to its corner [voxel].
+constexpr float kVoxel = 0.8661f;
+
+// The table of far voxels is made by blocks of this edge [voxel].
+constexpr int kBlock = 2;
+
+size_t placeOf(ivec3 size, int x, int y, int z) {
+    return (static_cast<size_t>(z) * size.y + y) * size.x + x;
+}
+
+/// Texels of a solid: texel (x, y, z) holds coefficients x − 2 … x + 1 of row (y − 2, z − 2), from
+/// the first voxel of its box on.
+ivec3 texelsOf(const Solid& solid) {
+    return solid.box.size() + ivec3(1, 4, 4);
+}
+
+/// What all solids take, one behind the other along z.
+ivec3 texelsOf(const Objects& objects) {
+    ivec3 all(0);
+    for (const Solid& solid : objects.solids) {
+        const ivec3 own = texelsOf(solid);
+        all = ivec3(std::max(all.x, own.x), std::max(all.y, own.y), all.z + own.z);
+    }
+    return all;
+}
+
+gpu::Texture makeDistances(gpu::Device& device, const Objects& objects) {
+    gpu::Texture texture(device, texelsOf(objects), gpu::TexelFormat::rgba32f,
+                         gpu::Filter::nearest);
+    const ivec3 all = texture.size();
+    int slice = 0;
+    for (const Solid& solid : objects.solids) {
+        const std::vector<float> spline = coefficientsOf(solid);
+        const ivec3 outer = solid.box.size() + 4, own = texelsOf(solid);
+        std::vector<float> texels(4 * static_cast<size_t>(all.x) * all.y);
+        for (int z = 0; z < own.z; ++z, ++slice) {
+            for (int y = 0; y < own.y; ++y) {
+                const float* row = spline.data() + placeOf(outer, 0, y, z);
+                float* out = texels.data() + 4 * static_cast<size_t>(y) * all.x;
+                for (int x = 0; x < own.x; ++x, ++row, out += 4) std::copy(row, row + 4, out);
+            }
+            texture.uploadSlices(slice, 1, texels.data());
+        }
+    }
+    return texture;
+}
+
+/// One axis of an exact squared distance transform: the lower envelope of parabolas (Felzenszwalb
+/// and Huttenlocher 2012, Theory of Computing 8:415).
+void transformLine(float* line, size_t stride, int count, std::vector<float>& f,
+                   std::vector<int>& v, std::vector<float>& z) {
+    for (int i = 0; i < count; ++i) f[static_cast<size_t>(i)] = line[i * stride];
+    int k = 0;
+    v[0] = 0;
+    z[0] = -1e20f;
+    z[1] = 1e20f;
+    const auto at = [&](int i) { return f[static_cast<size_t>(i)]; };
+    for (int q = 1; q < count; ++q) {
+        const auto meets = [&](int p) {
+            return ((at(q) + static_cast<float>(q * q)) - (at(p) + static_cast<float>(p * p))) /
+                   static_cast<float>(2 * (q - p));
+        };
+        float s = meets(v[static_cast<size_t>(k)]);
+        while (s <= z[static_cast<size_t>(k)]) s = meets(v[static_cast<size_t>(--k)]);
+        v[static_cast<size_t>(++k)] = q;
+        z[static_cast<size_t>(k)] = s;
+        z[static_cast<size_t>(k) + 1] = 1e20f;
+    }
+    k = 0;
+    for (int q = 0; q < count; ++q) {
+        while (z[static_cast<size_t>(k) + 1] < static_cast<float>(q)) ++k;
+        const int p = v[static_cast<size_t>(k)];
+        line[q * stride] = static_cast<float>((q - p) * (q - p)) + at(p);
+    }
+}
+
+void transform(std::vector<float>& squares, ivec3 size) {
+    const std::array<size_t, 3> strides{1, static_cast<size_t>(size.x),
+                                        static_cast<size_t>(size.x) * size.y};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        tbb::parallel_for(0, size[b], [&](int j) {
+            const auto count = static_cast<size_t>(size[axis]);
+            std::vector<float> f(count), z(count + 1);
+            std::vector<int> v(count);
+            for (int i = 0; i < size[a]; ++i)
+                transformLine(squares.data() + i * strides[static_cast<size_t>(a)] +
+                                  j * strides[static_cast<size_t>(b)],
+                              strides[static_cast<size_t>(axis)], size[axis], f, v, z);
+        });
+    }
+}
+
+/// How far a block's centre is from that of the nearest block that a boundary may pass [block].
+struct Blocks {
+    ivec3 size;
+    std::vector<float> distance;
+};
+
+Blocks farBlocks(ivec3 size, const std::vector<float>& nearest) {
+    Blocks blocks{(size + kBlock - 1) / kBlock, {}};
+    blocks.distance.assign(placeOf(blocks.size, 0, 0, blocks.size.z), 1e12f);
+    size_t i = 0;
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x, ++i)
+                if (nearest[i] <= kVoxel)
+                    blocks.distance[placeOf(blocks.size, x / kBlock, y / kBlock, z / kBlock)] = 0;
+    transform(blocks.distance, blocks.size);
+    for (float& d : blocks.distance) d = std::sqrt(d);
+    return blocks;
+}
+
+} // namespace
+
+std::vector<float> coefficientsOf(const Solid& solid) {
+    // Beyond its box a solid's distances go on linearly: it ends there only where the domain does.
+    const ivec3 size = solid.box.size(), outer = size + 6;
+    std::vector<float> values(placeOf(outer, 0, 0, outer.z));
+    const auto sample = [&](ivec3 p) {
+        const ivec3 in = glm::clamp(p, ivec3(0), size - 1);
+        const auto at = [&](ivec3 q) { return solid.distance[placeOf(size, q.x, q.y, q.z)]; };
+        float value = at(in);
+        for (int axis = 0; axis < 3; ++axis) {
+            ivec3 behind = in;
+            behind[axis] = std::clamp(in[axis] - (p[axis] > in[axis] ? 1 : -1), 0, size[axis] - 1);
+            value += static_cast<float>(std::abs(p[axis] - in[axis])) * (at(in) - at(behind));
+        }
+        return value;
+    };
+    tbb::parallel_for(0, outer.z, [&](int z) {
+        for (int y = 0; y < outer.y; ++y)
+            for (int x = 0; x < outer.x; ++x)
+                values[placeOf(outer, x, y, z)] = sample(ivec3(x, y, z) - 3);
+    });
+    // c = s − δ²s/6 along each axis: cubics through their samples, but for fourth differences / 36.
+    const ivec3 inner = size + 4;
+    std::vector<float> result(placeOf(inner, 0, 0, inner.z));
+    const std::array<float, 3> weights{-1.0f / 6, 4.0f / 3, -1.0f / 6};
+    tbb::parallel_for(0, inner.z, [&](int z) {
+        for (int y = 0; y < inner.y; ++y)
+            for (int x = 0; x < inner.x; ++x) {
+                float sum = 0;
+                for (int k = 0; k < 3; ++k)
+                    for (int j = 0; j < 3; ++j) {
+                        const float* row = values.data() + placeOf(outer, x, y + j, z + k);
+                        sum += weights[static_cast<size_t>(j)] * weights[static_cast<size_t>(k)] *
+                               (weights[0] * row[0] + weights[1] * row[1] + weights[2] * row[2]);
+                    }
+                result[placeOf(inner, x, y, z)] = sum;
+            }
+    });
+    return result;
+}
+
+BoundaryTable tabulate(const Objects& objects) {
+    const ivec3 size = objects.size;
+    const bool alone = objects.solids.size() == 1;
+    BoundaryTable table;
+    table.clearance.assign(placeOf(size, 0, 0, size.z), 1e9f);
+    table.solids.assign(table.clearance.size(), 0);
+    std::vector<float>& nearest = table.clearance;
+    for (size_t k = 0; k < objects.solids.size(); ++k) {
+        const Solid& solid = objects.solids[k];
+        const ivec3 own = solid.box.size();
+        const float beyond = std::min(solid.band, kKept);
+        tbb::parallel_for(0, size.z, [&](int z) {
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x) {
+                    const ivec3 p = ivec3(x, y, z) - solid.box.min;
+                    const bool in = p == glm::clamp(p, ivec3(0), own - 1);
+                    const float d = in ? solid.distance[placeOf(own, p.x, p.y, p.z)] : beyond;
+                    const size_t i = placeOf(size, x, y, z);
+                    nearest[i] = std::min(nearest[i], std::abs(d));
+                    if (d < 0) table.solids[i] |= 1u << k;
+                    if (std::abs(d) < kNear) table.solids[i] |= 1u << (16 + k);
+                }
+        });
+    }
+    const Blocks blocks = farBlocks(size, nearest);
+    // From a voxel to its block's centre, to that of a block with a boundary, to a voxel of it whose
+    // centre is within kVoxel of the boundary.
+    const float slack = (2 * (kBlock - 1) + 1) * kVoxel;
+    tbb::parallel_for(0, size.z, [&](int z) {
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const size_t i = placeOf(size, x, y, z);
+                const size_t block = placeOf(blocks.size, x / kBlock, y / kBlock, z / kBlock);
+                nearest[i] = std::max(nearest[i], kBlock * blocks.distance[block] - slack);
+                if (alone && (table.solids[i] & 1u)) nearest[i] = -nearest[i];
+            }
+    });
+    return table;
+}
+
+Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize) {
+    SurfaceParams values{};
+    const ivec3 texels = texelsOf(objects);
+    values.texel = vec4(1.0f / vec3(texels), 0);
+    values.voxel = vec4(1.0f / vec3(objects.size), 0);
+    int slice = 0;
+    for (size_t k = 0; k < objects.solids.size(); ++k) {
+        const Solid& solid = objects.solids[k];
+        values.solids[k] = {vec4(vec3(solid.box.min), slice), vec4(vec3(solid.box.size() - 1), 0)};
+        slice += texelsOf(solid).z;
+    }
+    const auto h = static_cast<float>(voxelSize);
+    for (size_t r = 0; r < objects.regions.size(); ++r) {
+        const Region& region = objects.regions[r];
+        RegionParams& out = values.regions[r];
+        out.index = vec4(region.index.value.x, region.index.varies(), region.opaque, 0);
+        const bool varies = region.absorption.varies() || region.scattering.varies() ||
+                            region.emission.varies() || region.anisotropy.varies();
+        out.absorption = vec4(region.absorption.value * h, varies);
+        out.scattering = vec4(region.scattering.value * h, region.anisotropy.value.x);
+        out.emission = vec4(region.emission.value * h, 0);
+        out.albedo = vec4(region.albedo.value, 0);
+        out.reflectance = vec4(region.reflectance.value, 0);
+    }
+    mParams = gpu::Buffer(device, sizeof values, &values);
+    mDistances = makeDistances(device, objects);
+    const BoundaryTable table = tabulate(objects);
+    mClearance = gpu::Texture(device, objects.size, gpu::TexelFormat::r32f, gpu::Filter::linear);
+    mClearance.upload(table.clearance.data());
+    if (objects.solids.size() == 1) return;
+    mNearby = gpu::Texture(device, objects.size, gpu::TexelFormat::r32ui, gpu::Filter::nearest);
+    mNearby.upload(table.solids.data());
+}
+
+void Surfaces::bind() const {
+    mParams.bindUniform(kBinding);
+    mDistances.bindSampler(kDistancesUnit);
+    mClearance.bindSampler(kClearanceUnit);
+    if (mNearby.name() != 0) mNearby.bindSampler(kNearbyUnit);
+}
+
+std::vector<gpu::Need> surfaceNeeds(const Objects& objects) {
+    const ivec3 texels = texelsOf(objects);
+    return {{"the boundaries' distances", std::int64_t{texels.x} * texels.y * texels.z * 16, false,
+             std::max({texels.x, texels.y, texels.z})},
+            {"the table of boundaries",
+             std::int64_t{objects.size.x} * objects.size.y * objects.size.z *
+                 (objects.solids.size() == 1 ? 4 : 8),
+             false,
+             std::max({objects.size.x, objects.size.y, objects.size.z})}};
+}
+
+} // namespace eikonal::medium

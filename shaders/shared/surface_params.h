@@ -1,0 +1,24 @@
+// What bounds objects, and what is on each side. Read by C++ and GLSL; vec4-sized members only.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+struct SolidParams {
+    vec4 low;   // xyz: the first voxel of its distances; w: their first texel along z
+    vec4 range; // xyz: from there to their last voxel
+};
+
+// What an object is made of, or what surrounds them all.
+struct RegionParams {
+    vec4 index;       // x: n; y: 1 if it varies; z: 1 if opaque
+    vec4 absorption;  // rgb [1/voxel]; w: 1 if coefficients vary
+    vec4 scattering;  // rgb [1/voxel]; w: g
+    vec4 emission;    // rgb [radiance/voxel]
+    vec4 albedo;      // rgb
+    vec4 reflectance; // rgb: tint of what its boundary mirrors
+};
+
+struct SurfaceParams {
+    vec4 texel; // xyz: 1 / texels of the distances
+    vec4 voxel; // xyz: 1 / voxels of the domain
+    SolidParams solids[12];
+    RegionParams regions[13]; // of each solid, then of what surrounds them
+};
