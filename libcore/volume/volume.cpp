@@ -22,7 +22,6 @@
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/Dense.h>
 #include <openvdb/tools/Prune.h>
-#include <openvdb/tools/ValueTransformer.h>
 
 namespace eikonal::volume {
 
@@ -453,23 +452,6 @@ void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const D
         makeLevelSet(box, values, static_cast<float>(halfWidth * mImpl->frame.voxelSize));
     describe(*made, object);
     made->setName(object.sdf);
-    made->setCreator("eikonal");
-    mImpl->place(made);
-}
-
-void Volume::putLevelSet(const std::string& grid, const IndexBox& box,
-                         const std::vector<glm::dvec3>& points, const std::vector<Shells>& shells,
-                         double halfWidth) {
-    if (shells.empty()) throw InternalError("grid '" + grid + "': no surface to measure from");
-    auto made = makeLevelSet(mImpl->frame.indexFromWorld(), points, shells, halfWidth);
-    made->tree().clip(toBox(box));
-    const float size = static_cast<float>(mImpl->frame.voxelSize);
-    openvdb::tools::foreach (made->beginValueAll(), [size](const FloatGrid::ValueAllIter& it) {
-        it.setValue(*it * size);
-    });
-    openvdb::tools::changeBackground(made->tree(), static_cast<float>(halfWidth) * size);
-    made->setGridClass(openvdb::GRID_LEVEL_SET);
-    made->setName(grid);
     made->setCreator("eikonal");
     mImpl->place(made);
 }

@@ -79,12 +79,6 @@ struct PutOptions {
     std::string vectorType{}; ///< VDB's name: "color", "vector"...; vectors only
 };
 
-/// Closed surfaces side by side: solids, or cavities in the solids named before.
-struct Shells {
-    std::vector<glm::uvec3> triangles; ///< three indices into the points they come with
-    bool cavity = false;
-};
-
 /// One scene volume. Grids are read from the file when first asked for; those never asked for are
 /// read only if the volume is written again, and then copied through whatever they hold.
 class Volume {
@@ -135,12 +129,6 @@ public:
     /// Adds or replaces the level set of an object. `values` over `box` are distances [unit],
     /// negative inside; they are cut to `halfWidth` [voxel] either side, and active below that.
     void putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
-                     double halfWidth);
-    /// Adds a narrow-band signed distance [unit] to closed surfaces in world space, negative
-    /// inside, `halfWidth` voxels wide either side, cut to `box`. (OpenVDB's mesh conversion.)
-    /// `shells` adds and hollows out in its order, the outermost first.
-    void putLevelSet(const std::string& grid, const IndexBox& box,
-                     const std::vector<glm::dvec3>& points, const std::vector<Shells>& shells,
                      double halfWidth);
 
     /// A file's string metadata, or "".

@@ -72,9 +72,12 @@ glm::dvec3 fallbackOf(const Params& params, Grid grid) {
     return weights > 0 ? sum / weights : sum;
 }
 
+glm::dvec3 absentValue(Grid grid) {
+    return glm::dvec3(grid == Grid::reflectance || grid == Grid::ior ? 1 : 0);
+}
+
 glm::dvec3 backgroundOf(const Params& params, Grid grid) {
-    if (grid == Grid::ior) return glm::dvec3(params.medium.ior);
-    return glm::dvec3(grid == Grid::reflectance ? 1 : 0);
+    return grid == Grid::ior ? glm::dvec3(params.medium.ior) : absentValue(grid);
 }
 
 GridNeed needOf(const Params& params, Grid grid) {

@@ -43,6 +43,9 @@ glm::dvec3 fallbackOf(const Params& params, Grid grid);
 /// The value outside the domain.
 glm::dvec3 backgroundOf(const Params& params, Grid grid);
 
+/// The value where a grid, or an object's own, is absent.
+glm::dvec3 absentValue(Grid grid);
+
 /// Whether some material may put something else than the background into the grid, and why.
 struct GridNeed {
     bool needed;

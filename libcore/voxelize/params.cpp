@@ -5,8 +5,10 @@
 #include "base/error.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace eikonal::voxelize {
 
@@ -64,7 +66,27 @@ void checkBounds(const mesh::Box& box) {
                 "X0,Y0,Z0,X1,Y1,Z1 with X0 < X1, Y0 < Y1 and Z0 < Z1");
 }
 
+void checkNames(const std::vector<Object>& objects) {
+    std::set<std::string> names;
+    for (const Object& object : objects) {
+        const std::string quoted = "'" + object.name + "'";
+        require(isObjectName(object.name), "--name", quoted,
+                "a name without commas, brackets and control characters");
+        require(object.name != volume::kMedium, "--name", quoted,
+                "another name: that is what surrounds all objects");
+        require(names.insert(object.name).second, "--name", quoted + " for two objects",
+                "a name for each, which its grids have");
+    }
+}
+
 } // namespace
+
+bool isObjectName(const std::string& name) {
+    return !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
+               std::string_view(",[]").find(c) != std::string_view::npos;
+    });
+}
 
 void refuseCount(const std::string& option, size_t given, size_t count) {
     throw UsageError(option + ": given " + std::to_string(given) + " times, expected once" +
@@ -91,14 +113,9 @@ void Params::check() const {
         require(resolution > 2 * padding, "--resolution", std::to_string(resolution),
                 "more than twice the --padding of " + std::to_string(padding));
     if (bounds) checkBounds(*bounds);
-    require(sdfBand >= 1 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "1 to 100");
-    std::set<std::string> names;
-    for (const Object& object : objects) {
-        require(!object.name.empty(), "--name", "''", "a name");
-        if (sdf && objects.size() > 1)
-            require(names.insert(object.name).second, "--name",
-                    "'" + object.name + "' for two objects", "another name for each --sdf grid");
-    }
+    // A cubic spline of distances looks two voxels far, from places up to two off the boundary.
+    require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");
+    if (sharp) checkNames(objects);
 }
 
 } // namespace eikonal::voxelize

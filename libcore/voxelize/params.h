@@ -26,7 +26,7 @@ struct Material {
 };
 
 struct Object {
-    std::string name; ///< in messages, and in sdf.NAME
+    std::string name; ///< in messages, and in sdf.NAME, ior.NAME and so on
     Material material;
     int priority = 0; ///< where objects overlap the higher wins, among equals the later
     mesh::TriangleMesh mesh{};
@@ -41,12 +41,16 @@ struct Params {
     bool cube = false;               ///< as long along every axis as along the longest
     std::optional<mesh::Box> bounds; ///< the domain, instead of objects and padding [unit]
     int supersample = 4;             ///< samples along a voxel's edge: 1, 2, 4 or 8
-    bool sdf = false;                ///< a signed distance grid per object
-    double sdfBand = 4;              ///< its half width [voxel]
+    bool sharp = true;               ///< each object's level set and own values are written, too
+    double sdfBand = 6;              ///< half width of the level sets [voxel]
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;
 };
+
+/// Whether an object may be called so: names become parts of grids' names, which --grids lists by
+/// commas and OpenVDB numbers by [0]. Dots are fine, since a grid's own name has none.
+bool isObjectName(const std::string& name);
 
 // One texel either side is left of the 2048 that every OpenGL 4.5 device has along a 3-D texture.
 constexpr int kLongestEdge = 2046;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iomanip>
+#include <sstream>
 #include <unistd.h>
 
 namespace eikonal::voxelize {
@@ -69,7 +71,55 @@ void requireHostFit(std::int64_t bytes) {
                           ", the host has " + bytesText(has));
 }
 
+std::string rounded(double x, int digits = 3) {
+    std::ostringstream text;
+    text << std::setprecision(digits) << x;
+    return text.str();
+}
+
+/// The option that makes voxels small enough for a wall [unit].
+std::string remedyFor(const Params& params, double thickness) {
+    // A figure that holds it, but need not be typed to the last digit of a rounded thickness.
+    const double exact = thickness / kThinnestWall * (1 + 1e-6);
+    const double digit = std::pow(10, std::floor(std::log10(exact)) - 3);
+    const double voxelSize = std::floor(exact / digit) * digit;
+    const mesh::Box box = boxOf(params);
+    const glm::dvec3 edges = box.max - box.min;
+    const int padding = params.bounds ? 0 : params.padding;
+    const double voxels = std::ceil(std::max({edges.x, edges.y, edges.z}) / exact) + 2 * padding;
+    if (!(voxels <= kLongestEdge))
+        return "no --resolution up to " + std::to_string(kLongestEdge) + " would";
+    return (params.voxelSize ? "--voxel-size " + rounded(voxelSize, 4)
+                             : "--resolution " + toText(voxels)) +
+           " would";
+}
+
 } // namespace
+
+std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan) {
+    std::vector<std::string> warnings;
+    for (size_t k = 0; k < plan.walls.size(); ++k) {
+        const auto& wall = plan.walls[k];
+        if (!wall) continue;
+        const double voxels = wall->thickness / plan.lattice.voxelSize;
+        if (voxels * (1 + 1e-6) >= kThinnestWall) continue; // but for the rounding of a search
+        warnings.push_back("'" + params.objects[k].name + "' has a wall of " +
+                           rounded(wall->thickness) + " units, " + rounded(voxels) +
+                           " voxels, at (" + rounded(wall->middle.x) + ", " +
+                           rounded(wall->middle.y) + ", " + rounded(wall->middle.z) +
+                           "): a sharp boundary needs " + toText(kThinnestWall) + " voxels, " +
+                           remedyFor(params, wall->thickness));
+    }
+    return warnings;
+}
+
+std::optional<double> thinnestWallVoxels(const Plan& plan) {
+    std::optional<double> least;
+    for (const auto& wall : plan.walls)
+        if (wall && !(least && *least <= wall->thickness / plan.lattice.voxelSize))
+            least = wall->thickness / plan.lattice.voxelSize;
+    return least;
+}
 
 Plan makePlan(const Params& params) {
     Plan plan;
@@ -88,7 +138,11 @@ Plan makePlan(const Params& params) {
         plan.grids.push_back(grid);
         components += componentsOf(grid);
     }
-    plan.effects.push_back({"sdf", params.sdf, params.sdf ? "--sdf" : "no --sdf"});
+    plan.effects.push_back(
+        {"sdf", params.sharp, params.sharp ? "--boundary sharp" : "--boundary blurred"});
+    if (params.sharp)
+        for (const Object& object : params.objects)
+            plan.walls.push_back(mesh::thinnestWall(object.mesh));
     // Dense floats while they are filled, the largest of them once more as a tree, and the
     // samples of every object.
     const auto perVoxel =

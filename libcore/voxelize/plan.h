@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/stats.h"
+#include "mesh/walls.h"
 #include "volume/volume.h"
 #include "voxelize/grids.h"
 #include "voxelize/lattice.h"
@@ -16,9 +17,20 @@ struct Plan {
     volume::Frame frame;
     volume::IndexBox box; ///< from voxel 0 on
     std::vector<Grid> grids;
+    std::vector<std::optional<mesh::Wall>> walls; ///< the thinnest per object; where sharp
     std::vector<Effect> effects;
     std::int64_t hostBytes = 0; ///< of grids, while they are filled and as trees [byte]
 };
+
+// A signed distance is negative at one sample of a thinner wall at most, and its slopes then are
+// not those of two boundaries but of none. [voxel]
+constexpr double kThinnestWall = 2;
+
+/// What to say of walls that distances can't hold: a sentence per object, with what would hold it.
+std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan);
+
+/// The thinnest wall over all objects [voxel], if there is one.
+std::optional<double> thinnestWallVoxels(const Plan& plan);
 
 /// Lays the lattice around the objects' meshes and picks the grids. Throws UsageError if the
 /// options make too many voxels of these meshes, MemoryError if the host can't hold them.

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxelize/voxelize.h"
 
-#include "mesh/shells.h"
 #include "voxelize/coverage.h"
+#include "voxelize/distances.h"
 #include "voxelize/mixer.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace eikonal::voxelize {
 
@@ -52,7 +51,7 @@ void fill(gpu::Device& device, const Params& params, const Plan& plan, Mixer& mi
     profiler.collect();
 }
 
-/// Fills the counters; gives a warning for each object that covers nothing.
+/// Fills the counters; gives a warning for each object that covers nothing or has thin walls.
 std::vector<std::string> countAll(const Params& params, const Plan& plan, const Mixer& mixer,
                                   Stats& stats) {
     std::vector<std::string> warnings;
@@ -66,6 +65,9 @@ std::vector<std::string> countAll(const Params& params, const Plan& plan, const 
     }
     stats.count("voxels", static_cast<double>(plan.box.voxels()));
     stats.count("occupied_voxels", static_cast<double>(mixer.occupied()));
+    if (const auto wall = thinnestWallVoxels(plan)) stats.count("thinnest_wall_voxels", *wall);
+    const std::vector<std::string> thin = thinWallWarnings(params, plan);
+    warnings.insert(warnings.end(), thin.begin(), thin.end());
     return warnings;
 }
 
@@ -88,28 +90,31 @@ void putGrids(volume::Volume& volume, const Params& params, const Plan& plan, Mi
     }
 }
 
-/// A mesh's solids and cavities, larger ones first, so that what is nested comes after what it
-/// lies in; as few groups as that allows.
-std::vector<volume::Shells> shellsOf(const mesh::TriangleMesh& mesh) {
-    std::vector<mesh::Shell> shells = mesh::findShells(mesh, mesh::sortedEdges(mesh));
-    std::erase_if(shells, [](const mesh::Shell& shell) { return shell.flat; });
-    std::stable_sort(shells.begin(), shells.end(), [](const mesh::Shell& a, const mesh::Shell& b) {
-        return std::abs(a.volume) > std::abs(b.volume);
-    });
-    std::vector<volume::Shells> groups;
-    for (const mesh::Shell& shell : shells) {
-        const bool cavity = shell.volume < 0;
-        if (groups.empty() || groups.back().cavity != cavity) groups.push_back({{}, cavity});
-        for (std::uint32_t face : shell.faces)
-            groups.back().triangles.push_back(mesh.triangles[face]);
+/// Each material alone, as grids that are one value everywhere: an object's where it is not what
+/// readers take for granted, the medium's where the mixed grid's background is another.
+void putOwnValues(volume::Volume& volume, const Params& params) {
+    for (Grid grid : kGrids) {
+        const std::string name = nameOf(grid);
+        for (const Object& object : params.objects) {
+            const glm::dvec3 value = valueOf(object.material, grid);
+            if (grid == Grid::ior || value != absentValue(grid))
+                volume.putConstant(volume::ownGrid(name, object.name), value);
+        }
+        const glm::dvec3 around = valueOf(params.medium, grid);
+        if (around != backgroundOf(params, grid))
+            volume.putConstant(volume::ownGrid(name, volume::kMedium), around);
     }
-    return groups;
 }
 
 void putDistances(volume::Volume& volume, const Params& params, const Plan& plan) {
-    for (const Object& object : params.objects)
-        volume.putLevelSet(params.objects.size() > 1 ? "sdf." + object.name : "sdf", plan.box,
-                           object.mesh.points, shellsOf(object.mesh), params.sdfBand);
+    for (size_t k = 0; k < params.objects.size(); ++k) {
+        const Object& object = params.objects[k];
+        volume::ObjectFacts facts{object.name, "sdf", object.priority, static_cast<int>(k)};
+        if (params.objects.size() > 1) facts.sdf = volume::ownGrid("sdf", object.name);
+        volume.putLevelSet(facts, plan.box,
+                           signedDistances(object.mesh, plan.lattice, params.sdfBand),
+                           params.sdfBand);
+    }
 }
 
 } // namespace
@@ -127,9 +132,10 @@ Result voxelize(gpu::Device& device, const Params& params, const Plan& plan, Sta
         putGrids(volume, params, plan, mixer, stats);
     }
     report(progress, 0.9);
-    if (params.sdf) {
+    if (params.sharp) {
         HostPass pass(stats, "sdf");
         putDistances(volume, params, plan);
+        putOwnValues(volume, params);
     }
     stats.gpuPeakBytes = device.peakBytes();
     report(progress, 1.0);

@@ -12,7 +12,7 @@ namespace eikonal::voxelize {
 
 struct Result {
     volume::Volume volume;
-    std::vector<std::string> warnings; ///< one for each object that covers nothing
+    std::vector<std::string> warnings; ///< objects that cover nothing, walls too thin for distances
 };
 
 /// Fills the grids of `plan`. A grid in which nothing but the background came to lie is left out

@@ -85,6 +85,7 @@ Json measure(Bench& bench, const Knobs& knobs) {
     params.resolution = knobs.voxels;
     params.bounds = mesh::Box{dvec3(0), dvec3(kBox)};
     params.supersample = knobs.supersample;
+    params.sharp = false; // the blurred chain is what is measured
     params.check();
     Stats stats;
     volume::Volume volume =

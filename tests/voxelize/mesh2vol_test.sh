@@ -112,7 +112,8 @@ refused --opacity -0.1 1.1 nan
 refused --albedo 2 -1 1,1,1.5
 refused --reflectance -1
 refused --priority 1.5 high
-refused --name ""
+refused --name "" medium a,b "a[1]" $'a\tb'
+refused --boundary "" Sharp sdf 1
 refused --medium-ior 0 -1 nan x
 refused --medium-absorption -1 1,2
 refused --medium-scattering -1
@@ -124,13 +125,15 @@ refused --voxel-size 0 -1 nan inf 1e-9 x
 refused --padding -1 1e9 2000 x
 refused --supersample 0 3 16 x
 refused --bounds 0,0,0,1,1 0,0,0,1,1,0 1,0,0,0,1,1 a,b,c,d,e,f nan,0,0,1,1,1
-refused --sdf-band 0 -1 1000 nan
+refused --sdf-band 0 -1 3.9 1000 nan
 expect "resolution and voxel size" 64 box.obj --ior 1.5 -o x.vdb --resolution 9 --voxel-size 1
 expect "padding and bounds" 64 box.obj --ior 1.5 -o x.vdb --padding 1 --bounds 0,0,0,1,1,1
 expect "three indices for two meshes" 64 box.obj box.obj --ior 1 --ior 2 --ior 3 -o x.vdb
 said "three indices for two meshes" "--ior: given 3 times, expected once or once for each"
 expect "two indices for one mesh" 64 box.obj --ior 1 --ior 2 -o x.vdb
-expect "same name for two distances" 64 box.obj box.obj $small --sdf -o x.vdb
+expect "same name for two objects" 64 box.obj box.obj $small -o x.vdb
+said "same name for two objects" "--name: found 'box' for two objects"
+expect "no more --sdf" 64 box.obj $small --sdf -o x.vdb
 
 expect "missing mesh" 66 none.obj $small -o x.vdb
 said "missing mesh" none.obj
@@ -171,22 +174,44 @@ for word in '"occupied_voxels"' '"voxelize"' '"why"' '"triangles": 12'; do
     check "stats" grep -q -- "$word" stats.json
 done
 expect "outputs before meshes" 0 -o several.vdb --ior 1.5 --ior 1.2 --resolution 20 --padding 3 \
-    --sdf --name first --name second box.obj box.obj
+    --name first --name second.part box.obj box.obj
+expect "same name, blurred" 0 box.obj box.obj $small --boundary blurred -o same.vdb
+rm -f same.vdb
+sed 's/^v 1/v 0.01/' box.obj >thin.obj
+expect "thin wall" 0 thin.obj $small -o thin.vdb --stats thin.json
+said "thin wall" "warning: 'thin' has a wall of 0.01 units, 0.0467 voxels, at (0.005, "
+said "thin wall" "--resolution 606 would"
+check "thin wall" grep -q '"thinnest_wall_voxels": 0.0466' thin.json
+expect "thin wall, --voxel-size" 0 thin.obj --ior 1.5 --voxel-size 0.1 -o thin.vdb
+said "thin wall, --voxel-size" "--voxel-size 0.005 would"
+expect "thin wall resolved" 0 thin.obj --ior 1.5 --voxel-size 0.005 --padding 4 -o thin.vdb --quiet
+[ -z "$last" ] || [ -n "$only" ] || fail "thin wall resolved" "is not silent: $last"
+expect "thin wall, blurred" 0 thin.obj $small --boundary blurred -o thin.vdb
+case $last in *wall*) fail "thin wall, blurred" "speaks of walls: $last" ;; esac
+cp box.obj 'a,b[1].obj'
+expect "a file's name that no object may have" 0 'a,b[1].obj' $small -o named.vdb
 expect "mesh outside the bounds" 0 box.obj --ior 1.5 --resolution 9 --bounds 5,5,5,6,6,6 -o far.vdb
 said "mesh outside the bounds" "warning: 'box' covers no voxel"
 
 # grids FILE: the names in it.
-grids() { vdb_print -l "$1" | sed -n 's/^Name: //p' | tr '\n' ' '; }
+grids() { vdb_print -l "$1" | sed -n 's/^Name: //p' | sort | tr '\n' ' '; }
 if command -v vdb_print >/dev/null; then
-    expect "grids" 0 box.obj $small -o grids.vdb --absorption 1,0,0 --opacity 1 --albedo 0.5 --sdf \
-        --anisotropy 0.5
-    check "grids" test "$(grids grids.vdb)" = "absorption albedo ior opacity sdf "
-    check "only what differs is written" test "$(grids box.vdb)" = "ior "
+    expect "grids" 0 box.obj $small -o grids.vdb --absorption 1,0,0 --opacity 1 --albedo 0.5 \
+        --anisotropy 0.5 --medium-scattering 0.1
+    check "grids" test "$(grids grids.vdb)" = "absorption absorption.box albedo albedo.box\
+ anisotropy.box ior ior.box opacity opacity.box scattering scattering.medium sdf "
+    check "only what differs is written" test "$(grids box.vdb)" = "ior ior.box sdf "
+    expect "blurred" 0 box.obj $small --boundary blurred -o blurred.vdb
+    check "blurred" test "$(grids blurred.vdb)" = "ior "
+    check "an object's facts" test "$(vdb_print -l box.vdb |
+        grep -cE 'class: level set|eikonal:object: box$|eikonal:(order|priority): 0$')" = 4
+    check "a file's name that no object may have" test "$(grids named.vdb)" = "ior ior.a_b_1_ sdf "
     check "class and box" test "$(vdb_print -l box.vdb |
-        grep -cE 'class: fog volume|Number of active voxels: +3,520$|Background value: 1$')" = 3
-    check "names" test "$(grids several.vdb)" = "ior sdf.first sdf.second "
+        grep -cE 'Number of active voxels: +(3,520|0)$|Background value: 1(\.5)?$')" = 5
+    check "names" test "$(grids several.vdb)" = "ior ior.first ior.second.part\
+ sdf.first sdf.second.part "
     "$tool" box.obj $small -o - >piped.vdb
-    check "pipe" test "$(grids piped.vdb)" = "ior "
+    check "pipe" test "$(grids piped.vdb)" = "ior ior.box sdf "
 fi
 
 # The number of threads comes from a file, since the volume's history holds the command.
@@ -202,7 +227,7 @@ repeats() { # CASE ARGUMENT...: one thread, one again, and two give the same byt
     rm -f first.vdb
 }
 repeats "repeats" box.obj --ior 1.5 --absorption 1,2,3 --resolution 40
-repeats "repeats with distances" box.obj --ior 1.5 --sdf --resolution 40
+repeats "repeats blurred" box.obj --ior 1.5 --boundary blurred --resolution 40
 
 [ $failures -eq 0 ] || exit 1
 echo "mesh2vol: all as expected"

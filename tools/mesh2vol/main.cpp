@@ -34,8 +34,8 @@ readMeshes(tool::Session& session, const mesh2vol::Options& o, voxelize::Params&
     return facts;
 }
 
-void explain(const tool::Session& session, const voxelize::Plan& plan,
-             std::vector<std::pair<std::string, std::string>> facts) {
+void explain(const tool::Session& session, const voxelize::Params& params,
+             const voxelize::Plan& plan, std::vector<std::pair<std::string, std::string>> facts) {
     const voxelize::Lattice& lattice = plan.lattice;
     const auto three = [](const auto& v) {
         return toText(static_cast<double>(v.x)) + ", " + toText(static_cast<double>(v.y)) + ", " +
@@ -46,7 +46,9 @@ void explain(const tool::Session& session, const voxelize::Plan& plan,
     facts.emplace_back("low corner", three(lattice.low));
     facts.emplace_back("samples per voxel", std::to_string(lattice.most()));
     facts.emplace_back("memory for grids", bytesText(static_cast<double>(plan.hostBytes)));
-    session.explain(plan.effects, {}, facts);
+    if (const auto wall = voxelize::thinnestWallVoxels(plan))
+        facts.emplace_back("thinnest wall", toText(*wall) + " voxels");
+    session.explain(plan.effects, voxelize::thinWallWarnings(params, plan), facts);
 }
 
 void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
@@ -57,9 +59,10 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
     session.guardInputs(o.meshes);
     if (!session.explains()) session.outputs(); // a bad path shows before the work
     const auto facts = readMeshes(session, o, params);
-    const voxelize::Plan plan = voxelize::makePlan(params);
+    voxelize::Plan plan;
+    session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {
-        explain(session, plan, facts);
+        explain(session, params, plan, facts);
         return;
     }
     const voxelize::Result result =

@@ -22,7 +22,7 @@ struct PerMesh {
 struct Options {
     std::vector<std::string> meshes;
     std::deque<PerMesh> perMesh; // a deque, for CLI11 keeps addresses
-    std::string bounds;
+    std::string bounds, boundary = "sharp";
     double voxelSize = 0;
     CLI::Option* voxelSizeOption = nullptr;
     bool repair = false;
@@ -57,7 +57,8 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
                "tint of the mirror reflection, or one number (default 1)");
     addPerMesh(app, o, "--priority", "INT",
                "the higher wins where objects overlap, among equals the later (default 0)");
-    addPerMesh(app, o, "--name", "NAME", "for messages and sdf.NAME (default: the file's)");
+    addPerMesh(app, o, "--name", "NAME",
+               "for messages and grids: sdf.NAME, ior.NAME (default: the file's)");
 }
 
 inline void addMediumOptions(CLI::App& app, voxelize::Material& medium) {
@@ -119,8 +120,14 @@ inline void addOptions(CLI::App& app, Options& o) {
         ->group(group);
     app.add_flag("--repair", o.repair, "close holes and turn faces outward where needed")
         ->group(group);
-    app.add_flag("--sdf", p.sdf, "write signed distances too, as sdf or sdf.NAME")->group(group);
-    app.add_option("--sdf-band", p.sdfBand, "half width of their band [voxel]")
+    app.add_option("--boundary", o.boundary,
+                   "sharp: also write each object's signed distance (sdf, or sdf.NAME of several) "
+                   "and its values unmixed (ior.NAME ...), so that rays refract at the boundary "
+                   "itself; blurred: only the mixed grids")
+        ->type_name("sharp|blurred")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--sdf-band", p.sdfBand, "half width of the distances' band, 4 or more [voxel]")
         ->type_name("VOXELS")
         ->capture_default_str()
         ->group(group);
@@ -161,6 +168,14 @@ inline int priorityOf(const ObjectValues& values) {
     return priority;
 }
 
+/// The file's name without its ending; what no object may be called by becomes "_".
+inline std::string nameFor(const std::string& path) {
+    std::string name = std::filesystem::path(path).stem().string();
+    for (char& c : name)
+        if (!voxelize::isObjectName({c})) c = '_';
+    return name;
+}
+
 inline voxelize::Object objectAt(const Options& o, size_t k) {
     const ObjectValues values(o, k);
     voxelize::Object object;
@@ -175,7 +190,7 @@ inline voxelize::Object objectAt(const Options& o, size_t k) {
     values.rgb("--albedo", m.albedo);
     values.rgb("--reflectance", m.reflectance);
     object.priority = priorityOf(values);
-    object.name = values.text("--name", std::filesystem::path(o.meshes[k]).stem().string());
+    object.name = values.text("--name", nameFor(o.meshes[k]));
     return object;
 }
 
@@ -183,6 +198,9 @@ inline voxelize::Object objectAt(const Options& o, size_t k) {
 inline voxelize::Params paramsOf(const Options& o) {
     voxelize::Params params = o.params;
     for (size_t k = 0; k < o.meshes.size(); ++k) params.objects.push_back(objectAt(o, k));
+    if (o.boundary != "sharp" && o.boundary != "blurred")
+        throw UsageError("--boundary: found '" + o.boundary + "', expected sharp or blurred");
+    params.sharp = o.boundary == "sharp";
     if (o.voxelSizeOption->count() > 0) params.voxelSize = o.voxelSize;
     if (!o.bounds.empty()) {
         const auto b = parseNumbers(o.bounds);
