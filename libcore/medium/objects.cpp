@@ -163,8 +163,13 @@ float OneSided::at(size_t voxel, int component) const {
                                 : grid.values[3 * voxel + static_cast<size_t>(component)];
 }
 
-bool Objects::any(bool (*holds)(const Region&)) const {
-    return std::any_of(regions.begin(), regions.end(), holds);
+bool Region::coefficientsVary() const {
+    return absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
+}
+
+int Objects::varying() const {
+    return static_cast<int>(std::count_if(
+        regions.begin(), regions.end(), [](const Region& r) { return r.coefficientsVary(); }));
 }
 
 Objects readObjects(const volume::Volume& volume, const volume::IndexBox& box) {

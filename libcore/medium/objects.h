@@ -27,6 +27,9 @@ struct Region {
     std::string name;
     OneSided index, absorption, scattering, anisotropy, emission, albedo, reflectance;
     bool opaque = false;
+
+    /// Whether what it does to light on its way differs from place to place.
+    bool coefficientsVary() const;
 };
 
 /// Distances are kept this far out [voxel].
@@ -44,7 +47,8 @@ struct Objects {
     std::vector<Solid> solids;   ///< the first that holds a point rules it
     std::vector<Region> regions; ///< of each solid, then of what surrounds them
 
-    bool any(bool (*holds)(const Region&)) const;
+    /// How many regions have coefficients that vary.
+    int varying() const;
 };
 
 /// Reads level sets and one-sided grids over `box`. A region's grid varies only where that can be

@@ -16,10 +16,11 @@ using glm::ivec3;
 using glm::vec3;
 using glm::vec4;
 #include "shared/surface_params.h"
-static_assert(sizeof(SurfaceParams) == 32 + 12 * 32 + 13 * 96);
+static_assert(sizeof(SurfaceParams) == 48 + 12 * 32 + 13 * 96);
 
 // As in shaders/medium/surface.glsl.
-constexpr unsigned kBinding = 4, kDistancesUnit = 9, kClearanceUnit = 10, kNearbyUnit = 11;
+constexpr unsigned kBinding = 4, kDistancesUnit = 9, kClearanceUnit = 10, kNearbyUnit = 11,
+                   kCoefficientsUnit = 12;
 constexpr float kNear = 3.5f; // [voxel]
 
 // From a voxel's centre to its corner [voxel].
@@ -65,6 +66,30 @@ gpu::Texture makeDistances(gpu::Device& device, const Objects& objects) {
             }
             texture.uploadSlices(slice, 1, texels.data());
         }
+    }
+    return texture;
+}
+
+/// Padded pages, one behind the other along z, of the regions whose coefficients vary: `pack(region,
+/// voxel, out)` fills a texel.
+template<typename Pack>
+gpu::Texture makePages(gpu::Device& device, const Objects& objects, bool floorAtZero,
+                       const Pack& pack) {
+    const ivec3 outer = objects.size + 2;
+    gpu::Texture texture(device, {outer.x, outer.y, outer.z * objects.varying()},
+                         gpu::TexelFormat::rgba32f, gpu::Filter::linear);
+    int slice = 0;
+    for (const Region& region : objects.regions) {
+        if (!region.coefficientsVary()) continue;
+        std::vector<float> padded(4 * placeOf(outer, 0, 0, outer.z));
+        size_t voxel = 0;
+        for (int z = 0; z < objects.size.z; ++z)
+            for (int y = 0; y < objects.size.y; ++y)
+                for (int x = 0; x < objects.size.x; ++x)
+                    pack(region, voxel++, padded.data() + 4 * placeOf(outer, x + 1, y + 1, z + 1));
+        extendPadding(padded, objects.size, 4, floorAtZero);
+        texture.uploadSlices(slice, outer.z, padded.data());
+        slice += outer.z;
     }
     return texture;
 }
@@ -229,19 +254,22 @@ Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize
         slice += texelsOf(solid).z;
     }
     const auto h = static_cast<float>(voxelSize);
+    const ivec3 page = objects.size + 2;
+    int pages = 0;
+    values.page = vec4(1.0f / vec3(page.x, page.y, page.z * std::max(objects.varying(), 1)), 0);
     for (size_t r = 0; r < objects.regions.size(); ++r) {
         const Region& region = objects.regions[r];
         RegionParams& out = values.regions[r];
         out.index = vec4(region.index.value.x, region.index.varies(), region.opaque, 0);
-        const bool varies = region.absorption.varies() || region.scattering.varies() ||
-                            region.emission.varies() || region.anisotropy.varies();
-        out.absorption = vec4(region.absorption.value * h, varies);
+        out.absorption = vec4(region.absorption.value * h,
+                              region.coefficientsVary() ? page.z * pages++ : -1);
         out.scattering = vec4(region.scattering.value * h, region.anisotropy.value.x);
         out.emission = vec4(region.emission.value * h, 0);
         out.albedo = vec4(region.albedo.value, 0);
         out.reflectance = vec4(region.reflectance.value, 0);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
+    if (pages > 0) makeCoefficients(device, objects, h);
     mDistances = makeDistances(device, objects);
     const BoundaryTable table = tabulate(objects);
     mClearance = gpu::Texture(device, objects.size, gpu::TexelFormat::r32f, gpu::Filter::linear);
@@ -251,16 +279,42 @@ Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize
     mNearby.upload(table.solids.data());
 }
 
+void Surfaces::makeCoefficients(gpu::Device& device, const Objects& objects, float h) {
+    const auto rgb = [h](const OneSided& values, size_t voxel, float* out) {
+        for (int c = 0; c < 3; ++c) out[c] = values.at(voxel, c) * h;
+    };
+    mCoefficients[0] = makePages(device, objects, false, [&](const Region& r, size_t i, float* out) {
+        rgb(r.absorption, i, out);
+        out[3] = r.anisotropy.at(i, 0);
+    });
+    mCoefficients[1] = makePages(device, objects, true, [&](const Region& r, size_t i, float* out) {
+        rgb(r.scattering, i, out);
+    });
+    mCoefficients[2] = makePages(device, objects, true, [&](const Region& r, size_t i, float* out) {
+        rgb(r.emission, i, out);
+    });
+}
+
+gpu::Switches surfaceSwitches(const Objects& objects) {
+    return {{"SOLIDS", static_cast<int>(objects.solids.size())},
+            {"VARIES", objects.varying() > 0}};
+}
+
 void Surfaces::bind() const {
     mParams.bindUniform(kBinding);
     mDistances.bindSampler(kDistancesUnit);
     mClearance.bindSampler(kClearanceUnit);
+    for (unsigned i = 0; i < 3; ++i)
+        if (mCoefficients[i].name() != 0) mCoefficients[i].bindSampler(kCoefficientsUnit + i);
     if (mNearby.name() != 0) mNearby.bindSampler(kNearbyUnit);
 }
 
 std::vector<gpu::Need> surfaceNeeds(const Objects& objects) {
-    const ivec3 texels = texelsOf(objects);
-    return {{"the boundaries' distances", std::int64_t{texels.x} * texels.y * texels.z * 16, false,
+    const ivec3 texels = texelsOf(objects), page = objects.size + 2;
+    const std::int64_t pages = objects.varying();
+    return {{"coefficients that vary", std::int64_t{page.x} * page.y * page.z * pages * 48, false,
+             page.z * static_cast<int>(pages)},
+            {"the boundaries' distances", std::int64_t{texels.x} * texels.y * texels.z * 16, false,
              std::max({texels.x, texels.y, texels.z})},
             {"the table of boundaries",
              std::int64_t{objects.size.x} * objects.size.y * objects.size.z *

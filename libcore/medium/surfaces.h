@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gpu/program.h"
 #include "gpu/resources.h"
 #include "medium/objects.h"
 
 namespace eikonal::medium {
+
+/// The switches SOLIDS and VARIES of the kernels that include surface.glsl and region.glsl.
+gpu::Switches surfaceSwitches(const Objects& objects);
 
 class Surfaces {
 public:
@@ -17,7 +21,8 @@ public:
     void bind() const;
 
 private:
-    gpu::Texture mDistances, mClearance, mNearby;
+    void makeCoefficients(gpu::Device& device, const Objects& objects, float voxelSize);
+    gpu::Texture mDistances, mClearance, mNearby, mCoefficients[3];
     gpu::Buffer mParams;
 };
 

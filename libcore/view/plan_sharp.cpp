@@ -36,9 +36,7 @@ medium::Index varyingIndex(const medium::Objects& objects, const std::string& pa
 
 void requireConstants(const medium::Objects& objects, const std::string& path) {
     const std::pair<const char*, OneSided Region::*> grids[] = {
-        {"absorption", &Region::absorption}, {"scattering", &Region::scattering},
-        {"anisotropy", &Region::anisotropy}, {"emission", &Region::emission},
-        {"albedo", &Region::albedo},         {"reflectance", &Region::reflectance}};
+        {"albedo", &Region::albedo}, {"reflectance", &Region::reflectance}};
     for (const Region& region : objects.regions)
         for (const auto& [grid, values] : grids)
             if ((region.*values).varies())

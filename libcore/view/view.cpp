@@ -145,7 +145,7 @@ gpu::Switches Rendering::switches(bool hasMap) const {
                        {"PATHS", wantsPaths(mPlan, mParams)}};
     if (mPlan.sharp) {
         const auto depth = static_cast<unsigned>(std::max(mParams.maxDepth, 1));
-        list.emplace_back("SOLIDS", static_cast<int>(mPlan.objects.solids.size()));
+        for (const auto& item : medium::surfaceSwitches(mPlan.objects)) list.push_back(item);
         list.emplace_back("WAITING", static_cast<int>(std::bit_ceil(depth)));
     }
     return list;

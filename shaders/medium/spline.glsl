@@ -25,3 +25,42 @@ vec4 splineAt(sampler3D coefficients, vec3 texel, vec3 scale, vec3 t) {
     }
     return sum;
 }
+
+// The same, and how the gradient changes along d, from the same look-ups.
+struct Curved {
+    vec4 sum;    // gradient, value
+    vec3 change; // (d·∇)∇
+};
+
+Curved curvedSplineAt(sampler3D coefficients, vec3 texel, vec3 scale, vec3 t, vec3 d) {
+    vec4 wx = splineWeights(t.x);
+    vec4 wy = splineWeights(t.y);
+    vec4 wz = splineWeights(t.z);
+    vec4 sx = splineSlopes(t.x);
+    vec4 sy = splineSlopes(t.y);
+    vec4 sz = splineSlopes(t.z);
+    vec4 bx = splineBends(t.x);
+    vec4 by = splineBends(t.y);
+    vec4 bz = splineBends(t.z);
+    vec4 sum = vec4(0.0);
+    vec3 pure = vec3(0.0);  // ∂xx, ∂yy, ∂zz
+    vec3 mixed = vec3(0.0); // ∂yz, ∂xz, ∂xy
+    for (int k = 0; k < 4; ++k) {
+        vec3 row = vec3(0.0);    // over y of: value, ∂x, ∂y
+        vec3 second = vec3(0.0); // of: ∂xx, ∂yy, ∂xy
+        for (int j = 0; j < 4; ++j) {
+            vec4 c = textureLod(coefficients, (texel + vec3(0, j, k)) * scale, 0.0);
+            float value = dot(c, wx);
+            float slope = dot(c, sx);
+            row += vec3(wy[j] * value, wy[j] * slope, sy[j] * value);
+            second += vec3(wy[j] * dot(c, bx), by[j] * value, sy[j] * slope);
+        }
+        sum += vec4(wz[k] * row.y, wz[k] * row.z, sz[k] * row.x, wz[k] * row.x);
+        pure += vec3(wz[k] * second.x, wz[k] * second.y, bz[k] * row.x);
+        mixed += vec3(sz[k] * row.z, sz[k] * row.y, wz[k] * second.z);
+    }
+    vec3 change = vec3(pure.x * d.x + mixed.z * d.y + mixed.y * d.z,
+                       mixed.z * d.x + pure.y * d.y + mixed.x * d.z,
+                       mixed.y * d.x + mixed.x * d.y + pure.z * d.z);
+    return Curved(sum, change);
+}

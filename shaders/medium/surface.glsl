@@ -28,7 +28,8 @@ const float kFar = 4.0;        // where clearances begin to be bounds alone [vox
 const float kFarRough = 0.9;
 const float kNear = 3.5;       // [voxel], as in libcore/medium/surfaces.cpp
 const float kNearStep = 1.5;   // longest step where one is: what the bits of its first voxel cover
-const float kFine = 2.0e-4;    // so close the gradient is that of the boundary, and a step of Newton's leaves nothing [voxel]
+const float kClose = 0.1;      // a zero so close is told from here [voxel],
+const float kBent = 3.0e-3;    // if the gradient turns by no more than that on the way [rad]
 const float kEnclosed = 2.0e-5; // a zero between points this close is at either [voxel]
 const int kMostLooks = 8192;    // more than along a plate of the longest domain
 const float kTouch = 0.1;      // solids this close touch [voxel]
@@ -54,6 +55,14 @@ vec4 distanceAt(int k, vec3 x) { // gradient [1], distance [voxel]
     vec3 cell = floor(at);
     vec3 texel = cell + vec3(1.5, 1.5, 1.5 + surfaces.solids[k].low.w);
     return splineAt(distances, texel, surfaces.texel.xyz, at - cell);
+}
+
+// The same, and how the gradient changes along d [1/voxel].
+Curved curvedDistanceAt(int k, vec3 x, vec3 d) {
+    vec3 at = clamp(x - surfaces.solids[k].low.xyz, vec3(-0.999), surfaces.solids[k].range.xyz + 0.999);
+    vec3 cell = floor(at);
+    vec3 texel = cell + vec3(1.5, 1.5, 1.5 + surfaces.solids[k].low.w);
+    return curvedSplineAt(distances, texel, surfaces.texel.xyz, at - cell, d);
 }
 
 // The solids that hold x.
@@ -172,11 +181,13 @@ Meeting meet(Way way, uint inside, float departs) {
             vec2 nearest = vec2(1.0e9, 0.0); // of the boundary met next, or passed furthest
             int solid = -1;
             vec3 gradient = vec3(0.0);
+            vec3 change = vec3(0.0);
             bool over = false;
             for (int k = 0; k < kSolids; ++k) {
                 here[k] = vec2(1.0e9, 0.0);
                 if (((close >> k) & 1u) == 0u) continue;
-                vec4 found = sideOf(inside, k) * distanceAt(k, x);
+                Curved curved = curvedDistanceAt(k, x, d);
+                vec4 found = sideOf(inside, k) * curved.sum;
                 here[k] = vec2(found.w, dot(found.xyz, d));
                 if (trial == 0.0 && here[k].y > 0.0) least[k] = min(here[k].x, 0.0);
                 if (here[k].x > 0.0) least[k] = 0.0;
@@ -186,16 +197,21 @@ Meeting meet(Way way, uint inside, float departs) {
                 if (solid < 0 || (ahead && here[k].x < nearest.x)) {
                     nearest = ahead ? here[k] : vec2(1.0e9, 0.0);
                     solid = k;
-                    gradient = found.xyz;
+                    gradient = curved.sum.xyz;
+                    change = curved.change;
                 }
             }
             float left = nearest.y < 0.0 ? -nearest.x / nearest.y : 1.0e9; // to go, or to go back
+            bool hit = abs(left) < kClose && abs(left) * length(change) < kBent;
             bool enclosed = (over ? trial : beyond) - s < kEnclosed * (1.0 + 0.01 * s) &&
                             (over || beyond > s);
-            if (abs(left) < kFine || enclosed) {
-                met.s = clamp(trial + (abs(left) < kFine ? left : 0.0), 0.0, way.length);
+            if (hit || enclosed) {
+                // To second order, for a boundary that bends away from its tangent.
+                float bend = 0.5 * sideOf(inside, solid) * dot(change, d) / nearest.y;
+                float rest = hit ? left * (1.0 - clamp(left * bend, -0.1, 0.1)) : 0.0;
+                met.s = clamp(trial + rest, 0.0, way.length);
                 met.solid = solid;
-                met.gradient = sideOf(inside, solid) * gradient;
+                met.gradient = gradient + rest * change;
                 walking = false;
             } else if (over) {
                 beyond = trial;

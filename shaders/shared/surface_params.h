@@ -9,7 +9,7 @@ struct SolidParams {
 // What an object is made of, or what surrounds them all.
 struct RegionParams {
     vec4 index;       // x: n; y: 1 if it varies; z: 1 if opaque
-    vec4 absorption;  // rgb [1/voxel]; w: 1 if coefficients vary
+    vec4 absorption;  // rgb [1/voxel]; w: where coefficients vary, their page's first texel; else −1
     vec4 scattering;  // rgb [1/voxel]; w: g
     vec4 emission;    // rgb [radiance/voxel]
     vec4 albedo;      // rgb
@@ -19,6 +19,7 @@ struct RegionParams {
 struct SurfaceParams {
     vec4 texel; // xyz: 1 / texels of the distances
     vec4 voxel; // xyz: 1 / voxels of the domain
+    vec4 page;  // xyz: 1 / texels of coefficients that vary
     SolidParams solids[12];
     RegionParams regions[13]; // of each solid, then of what surrounds them
 };

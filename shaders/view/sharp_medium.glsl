@@ -9,9 +9,9 @@ float indexOf(int region, vec3 x) {
 // A piece of length ds [voxel] round x.
 void gatherPiece(inout Seen seen, inout Branch branch, int region, vec3 x, vec3 direction, float n,
                  float ds) {
-    vec3 scattering = surfaces.regions[region].scattering.xyz;
-    vec3 sigma = surfaces.regions[region].absorption.xyz + scattering;
-    vec3 shine = kEmission ? surfaces.regions[region].emission.xyz : vec3(0.0);
+    Coefficients medium = coefficientsAt(region, x);
+    vec3 sigma = medium.absorption + medium.scattering;
+    vec3 shine = kEmission ? medium.emission : vec3(0.0);
     if (kShines) {
         vec3 at = coordinate(x);
         float phase = kIsotropicPhase;
@@ -20,9 +20,9 @@ void gatherPiece(inout Seen seen, inout Branch branch, int region, vec3 x, vec3 
             vec3 lobe = textureLod(lobes, at, 0.0).xyz;
             float m = length(lobe);
             float cosine = m > 0.0 ? -dot(lobe, direction) / m : 0.0;
-            phase = henyeyGreenstein(surfaces.regions[region].scattering.w * min(m, 1.0), cosine);
+            phase = henyeyGreenstein(medium.g * min(m, 1.0), cosine);
         }
-        shine += scattering * textureLod(fluence, at, 0.0).xyz * phase;
+        shine += medium.scattering * textureLod(fluence, at, 0.0).xyz * phase;
     }
     vec3 depth = sigma * ds;
     Attenuation red = attenuationOf(depth.x);
@@ -34,11 +34,11 @@ void gatherPiece(inout Seen seen, inout Branch branch, int region, vec3 x, vec3 
     branch.through *= vec3(red.through, green.through, blue.through);
 }
 
-// A straight piece from x. Light varies from voxel to voxel; what a region is made of does not.
+// A straight piece. Light varies from voxel to voxel; what a region is made of mostly does not.
 void gatherStraight(inout Seen seen, inout Branch branch, int region, vec3 direction, float n,
                     float ds) {
     bool scatters = kShines && surfaces.regions[region].scattering.xyz != vec3(0.0);
-    int pieces = scatters ? max(int(ceil(ds)), 1) : 1;
+    int pieces = scatters || variesIn(region) ? max(int(ceil(ds)), 1) : 1;
     float piece = ds / float(pieces);
     for (int i = 0; i < pieces; ++i)
         gatherPiece(seen, branch, region, branch.ray.x + ((float(i) + 0.5) * piece) * direction,

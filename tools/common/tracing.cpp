@@ -10,9 +10,21 @@
 namespace eikonal::tool {
 
 TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption,
-                               const std::string& stepHelp)
+                               const std::string& stepHelp, int& maxDepth,
+                               const std::string& what)
     : mToleranceOption(toleranceOption) {
     const char* const kGroup = "Tracing";
+    app.add_option("--boundary", mBoundary,
+                   "sharp (Snell's and Fresnel's laws at the zero of signed distances), blurred "
+                   "(the gradient of 'ior' alone bends rays), or auto: sharp where the file has "
+                   "signed distances")
+        ->check(CLI::IsMember({"auto", "blurred", "sharp"}))
+        ->capture_default_str()
+        ->group(kGroup);
+    app.add_option("--max-depth", maxDepth, "sharp boundaries that " + what + " meets at most")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(kGroup);
     mIntegratorOption =
         app.add_option(
                "--integrator", mIntegrator,
@@ -54,6 +66,7 @@ optics::Tracing TracingOptions::finish() const {
         integrator = "adaptive";
     }
     tracing.integrator = optics::parseIntegrator(integrator);
+    tracing.boundary = optics::parseBoundary(mBoundary);
     if (!mInterpolation.empty()) tracing.interpolation = optics::parseInterpolation(mInterpolation);
     return tracing;
 }

@@ -13,8 +13,10 @@ namespace eikonal::tool {
 /// What the command line says, until finish() makes a Tracing of it.
 class TracingOptions {
 public:
-    /// Adds --integrator, --interpolation, --step and the tolerance under its name.
-    TracingOptions(CLI::App& app, const std::string& toleranceOption, const std::string& stepHelp);
+    /// Adds --boundary, --max-depth (into `maxDepth`, for `what`), --integrator, --interpolation,
+    /// --step and the tolerance under its name.
+    TracingOptions(CLI::App& app, const std::string& toleranceOption, const std::string& stepHelp,
+                   int& maxDepth, const std::string& what);
 
     /// A tolerance alone asks for adaptive steps. Throws UsageError where another integrator was
     /// named beside it.
@@ -24,7 +26,7 @@ public:
     void warnOf(Session& session, const std::string& rays) const;
 
 private:
-    std::string mToleranceOption, mIntegrator = "verlet", mInterpolation;
+    std::string mToleranceOption, mIntegrator = "verlet", mInterpolation, mBoundary = "auto";
     optics::Tracing mTracing;
     CLI::Option *mIntegratorOption, *mTolerance;
 };

@@ -69,7 +69,8 @@ void addOptions(CLI::App& app, Options& o) {
         ->type_name("N")
         ->capture_default_str();
     o.tracing.emplace(app, "--trace-tolerance",
-                      "longest step [voxel]; default: as the octree allows");
+                      "longest step [voxel]; default: as the octree allows", p.maxDepth,
+                      "a photon");
     app.add_option("--proxy", o.proxy,
                    "closed mesh on which photons start, not on the domain's box")
         ->type_name("MESH");

@@ -75,7 +75,12 @@ void addOptions(CLI::App& app, Options& o) {
     o.tracing.emplace(
         app, "--tolerance",
         "longest step [voxel]; default 1, for verlet 1.5 where no medium is sampled along, "
-        "for adaptive 4");
+        "for adaptive 4",
+        p.maxDepth, "a ray");
+    app.add_option("--samples", p.samples, "rays of a pixel, in a fixed pattern")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group("Picture");
     app.add_option("--max-steps", p.maxSteps, "steps after which a ray counts as trapped; 0: ample")
         ->type_name("N")
         ->capture_default_str()
@@ -177,7 +182,7 @@ void render(tool::Session& session, Options& o) {
             {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
                             " x " + std::to_string(plan->size.z)},
              {"picture", o.size},
-             {"tracing", plan->bends ? o.params.text() : "straight"}});
+             {"tracing", plan->index.varies() ? o.params.text() : "straight"}});
         return;
     }
     session.stats().effects = plan->effects;

@@ -1,0 +1,32 @@
+// What the regions between sharp boundaries have, and what can be traced of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "medium/objects.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace eikonal::medium {
+
+/// A grid's values in a region, whichever that is.
+using RegionValues = OneSided Region::*;
+
+/// The one index grid that varies, of whichever region, or an index that does not. `path` is the
+/// file's. Throws DataError if two vary.
+Index varyingIndex(const Objects& objects, const std::string& path);
+
+/// Throws DataError naming grid and region if one of these grids varies within a region.
+void requireConstants(const Objects& objects, const std::string& path,
+                      const std::vector<std::pair<const char*, RegionValues>>& grids);
+
+/// Whether some region has values that are not 0.
+bool anyHas(const Objects& objects, RegionValues values);
+/// Who has, in words.
+std::string whoHas(const Objects& objects, RegionValues values);
+
+/// Whether some boundary or index bends rays, and who makes it, in words.
+std::pair<bool, std::string> whatRefracts(const Objects& objects);
+
+} // namespace eikonal::medium
