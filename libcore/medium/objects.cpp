@@ -167,6 +167,10 @@ bool Region::coefficientsVary() const {
     return absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
 }
 
+bool Objects::any(bool (*holds)(const Region&)) const {
+    return std::any_of(regions.begin(), regions.end(), holds);
+}
+
 int Objects::varying() const {
     return static_cast<int>(std::count_if(
         regions.begin(), regions.end(), [](const Region& r) { return r.coefficientsVary(); }));

@@ -47,6 +47,7 @@ struct Objects {
     std::vector<Solid> solids;   ///< the first that holds a point rules it
     std::vector<Region> regions; ///< of each solid, then of what surrounds them
 
+    bool any(bool (*holds)(const Region&)) const;
     /// How many regions have coefficients that vary.
     int varying() const;
 };
