@@ -202,7 +202,8 @@ Meeting meet(Way way, uint inside, float departs) {
                 }
             }
             float left = nearest.y < 0.0 ? -nearest.x / nearest.y : 1.0e9; // to go, or to go back
-            bool hit = abs(left) < kClose && abs(left) * length(change) < kBent;
+            bool hit = abs(left) < kClose && abs(left) * length(change) < kBent &&
+                       trial + left <= way.length;
             bool enclosed = (over ? trial : beyond) - s < kEnclosed * (1.0 + 0.01 * s) &&
                             (over || beyond > s);
             if (hit || enclosed) {
