@@ -125,7 +125,7 @@ Piece gradedPiece(const Glass& glass, const Ray& ray, int from) {
 struct Collector {
     Tree tree;
     double least;
-    void onPiece(const dvec3&, const dvec3&, double) {}
+    void onPiece(const dvec3&, const dvec3& to, double) { tree.met.push_back(to); }
     void onLeft(const Ray& ray, double weight, const std::string& course) {
         tree.left.push_back({ray, weight, course});
     }

@@ -93,7 +93,8 @@ struct Tree {
     /// The nearest that a branch's weight came to minThroughput, as |weight/minThroughput − 1|:
     /// where that is a rounding, which side it falls on is chance.
     double closestCall = 1;
-    double sum() const; ///< of the weights of what left
+    std::vector<dvec3> met; ///< where boundaries were met, by any branch
+    double sum() const;     ///< of the weights of what left
 };
 Tree followAll(const Glass& glass, const Ray& ray, const Limits& limits = {});
 

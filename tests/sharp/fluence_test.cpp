@@ -8,8 +8,8 @@ using namespace eikonal::sharp;
 
 TEST(SharpFluence, UnderABallIsSnellsAndFresnels) {
     // The requirement is 3 % at 128 voxels with 16 million photons. With 2^18 at 48 a voxel of
-    // plain light has 80 of them, which noise of a tenth is left of, smoothing takes most away, and
-    // of the choice between reflection and refraction a fifth.
+    // plain light has some 80, of which chance reflects one in twelve: 1 % where light is dense. As
+    // much as the requirement again for a ball of 15 voxels.
     EXPECT_LT(fluenceError(48, 1 << 18), 0.06);
 }
 

@@ -3,6 +3,7 @@
 #include "glass_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace eikonal::sharp {
@@ -35,6 +36,40 @@ double continued(const judge::Solid& solid, const dvec3& x) {
     const dvec3 out = r / off, edge = solid.centre + reach * out;
     const double n = solid.graded->index(edge);
     return n * std::exp(glm::dot(solid.graded->force(edge), out) / (n * n) * (off - reach));
+}
+
+/// Whether x, on a boundary, is near an edge of a hull.
+bool nearEdge(const judge::Glass& glass, const dvec3& x) {
+    for (const judge::Solid& solid : glass.solids) {
+        int faces = 0;
+        for (const judge::Plane& plane : solid.planes)
+            faces += std::abs(glm::dot(plane.normal, x) - plane.offset) < kEdge;
+        if (faces > 1 && distanceTo(solid, x) < kEdge) return true;
+    }
+    return false;
+}
+
+/// Four rays beside one.
+std::array<judge::Ray, 4> raysAside(const judge::Ray& ray, double off) {
+    const dvec3 d = glm::normalize(ray.direction);
+    const dvec3 least = std::abs(d.y) > 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+    const dvec3 u = glm::normalize(glm::cross(d, least)), v = glm::cross(d, u);
+    return {judge::Ray{ray.x + off * u, d},
+            {ray.x - off * u, d},
+            {ray.x + off * v, d},
+            {ray.x - off * v, d}};
+}
+
+/// Whether the power that leaves is told by the ray and not by rounding: 2e-5 is a fifth of the
+/// bar.
+bool tellableTree(const judge::Glass& glass, const judge::Ray& ray, const judge::Limits& limits) {
+    const judge::Tree tree = judge::followAll(glass, ray, limits);
+    for (const dvec3& x : tree.met)
+        if (nearEdge(glass, x)) return false;
+    for (const judge::Ray& aside : raysAside(ray, 0.01))
+        if (std::abs(judge::followAll(glass, aside, limits).sum() - tree.sum()) > 2e-5)
+            return false;
+    return true;
 }
 
 } // namespace
@@ -136,23 +171,15 @@ double impactOf(const judge::Ray& ray, const dvec3& centre, double radius) {
     return glm::length(r - glm::dot(r, d) * d) / radius;
 }
 
-bool tellable(const judge::Glass& glass, const judge::Ray& ray, double degrees, double margin) {
+bool tellable(const judge::Glass& glass, const judge::Ray& ray) {
     const judge::Path path = judge::followTransmitted(glass, ray, 8);
     if (!path.left) return false;
     for (const judge::Met& met : path.met)
-        for (const judge::Solid& solid : glass.solids) {
-            int faces = 0;
-            for (const judge::Plane& plane : solid.planes)
-                faces += std::abs(glm::dot(plane.normal, met.x) - plane.offset) < margin;
-            if (faces > 1 && distanceTo(solid, met.x) < margin) return false;
-        }
-    const dvec3 d = glm::normalize(ray.direction);
-    const dvec3 least = std::abs(d.y) > 0.9 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-    const dvec3 u = glm::normalize(glm::cross(d, least)), v = glm::cross(d, u);
-    for (const dvec3& aside : {u, -u, v, -v}) {
-        const judge::Path other = judge::followTransmitted(glass, {ray.x + 1e-3 * aside, d}, 8);
+        if (nearEdge(glass, met.x)) return false;
+    for (const judge::Ray& aside : raysAside(ray, 1e-3)) {
+        const judge::Path other = judge::followTransmitted(glass, aside, 8);
         if (other.met.size() != path.met.size() ||
-            degreesBetween(other.ray.direction, path.ray.direction) > degrees)
+            degreesBetween(other.ray.direction, path.ray.direction) > 0.011)
             return false;
     }
     return true;
@@ -160,15 +187,14 @@ bool tellable(const judge::Glass& glass, const judge::Ray& ray, double degrees, 
 
 double energyOff(const view::Look& look, const view::Params& params, const judge::Glass& glass,
                  const std::function<bool(const judge::Ray&)>& counts, int* rays) {
+    const judge::Limits limits{.maxDepth = params.maxDepth};
     double off = 0;
     for (int y = 0; y < look.picture.height; ++y)
         for (int x = 0; x < look.picture.width; ++x) {
             const judge::Ray ray = rayOf(params, x, y);
-            if (!counts(ray)) continue;
-            const judge::Tree tree = judge::followAll(glass, ray, {.maxDepth = params.maxDepth});
-            if (tree.closestCall < 0.01) continue;
-            const double wanted =
-                judge::radiance(glass, ray, [](dvec3) { return 1.0; }, {params.maxDepth, 1e-3});
+            if (!counts(ray) || !tellableTree(glass, ray, limits)) continue;
+            const double wanted = judge::radiance(
+                glass, ray, [](const dvec3&) { return 1.0; }, limits);
             off = std::max(off, std::abs(look.at("R", x, y) - wanted));
             if (rays) ++*rays;
         }

@@ -24,7 +24,9 @@ void expectJudges(const judge::Glass& glass, const Voxels& voxels, int least) {
         EXPECT_LT(off.degrees, 0.01)
             << off.worst.x.x << " " << off.worst.x.y << " " << off.worst.x.z;
         EXPECT_LT(off.optical, 0.05); // an air gap or a boundary missed were voxels
-        EXPECT_LT(energyOff(look, params, glass, counts), 1e-4);
+        int told = 0;
+        EXPECT_LT(energyOff(look, params, glass, counts, &told), 1e-4);
+        EXPECT_GT(told, 100);
     }
 }
 
@@ -39,7 +41,7 @@ TEST(SharpObjects, WineInABlockOfGlass) {
     for (const int priority : {1, 0})
         expectJudges({{boxAround({-20, -22, -19}, {21, 20, 20}, kGlass, 0),
                        boxAround({-12, -14, -11}, {13, 12, 12}, kWine, priority)}},
-                     {}, 400);
+                     {}, 200);
 }
 
 TEST(SharpObjects, OverlappingByHalf) {
@@ -47,8 +49,8 @@ TEST(SharpObjects, OverlappingByHalf) {
     // overlap do; the higher priority wins, whichever comes first.
     const judge::Solid block = boxAround({-20, -20, -20}, {20, 6, 20}, kGlass, 2);
     const judge::Solid wine = boxAround({-20, -5, -20}, {20, 18, 20}, kWine, 1);
-    expectJudges({{block, wine}}, {}, 400);
-    expectJudges({{wine, block}}, {}, 400);
+    expectJudges({{block, wine}}, {}, 200);
+    expectJudges({{wine, block}}, {}, 200);
 }
 
 TEST(SharpObjects, TouchingFacesAreOneBoundary) {
@@ -56,15 +58,15 @@ TEST(SharpObjects, TouchingFacesAreOneBoundary) {
     for (const double level : {0.0, -kCentre.y + 32.5})
         expectJudges({{boxAround({-20, -20, -20}, {20, level, 20}, kGlass, 0),
                        boxAround({-20, level, -20}, {20, 18, 20}, kWine, 0)}},
-                     {}, 400);
+                     {}, 200);
 }
 
 TEST(SharpObjects, ABallInABall) {
     const judge::Glass glass{{judge::glassBall(kCentre, 24, kGlass, 0),
                               judge::glassBall(kCentre + dvec3(2, -1, 1.5), 14, kWine, 1)}};
-    expectJudges(glass, {}, 400);
+    expectJudges(glass, {}, 200);
     // In bands as mesh2vol writes them.
-    expectJudges(glass, {.halfWidth = 4}, 400);
+    expectJudges(glass, {.halfWidth = 4}, 200);
 }
 
 TEST(SharpObjects, AShellAndWhatFillsIt) {
@@ -78,23 +80,20 @@ TEST(SharpObjects, AShellAndWhatFillsIt) {
         const double r = glm::length(x - kCentre);
         return std::max(r - 24, inner - r);
     }};
-    expectJudges(glass, voxels, 400);
-    // Whoever wins where they touch, the boundary is one.
-    judge::Glass other = glass;
-    std::swap(other.solids[0], other.solids[1]);
-    std::swap(other.solids[0].priority, other.solids[1].priority);
+    expectJudges(glass, voxels, 200);
+    // Whoever comes first where they touch, the boundary is one.
     const judge::Glass wineFirst{
         {judge::glassBall(kCentre, inner, kWine, 1), judge::glassBall(kCentre, 24, kGlass, 0)}};
     Voxels swapped;
     swapped.distances = {{}, voxels.distances[0]};
-    expectJudges(wineFirst, swapped, 400);
+    expectJudges(wineFirst, swapped, 200);
 }
 
 TEST(SharpObjects, ABubbleInTheWineInTheGlass) {
-    expectJudges({{judge::glassBall(kCentre, 25, kGlass, 0),
-                   judge::glassBall(kCentre + dvec3(1, 2, -1), 17, kWine, 1),
-                   judge::glassBall(kCentre + dvec3(-2, 1, 1), 6, 1, 2)}},
-                 {}, 300);
+    expectJudges({{judge::glassBall(kCentre, 26, kGlass, 0),
+                   judge::glassBall(kCentre + dvec3(1, 2, -1), 20, kWine, 1),
+                   judge::glassBall(kCentre + dvec3(-2, 1, 1), 11, 1, 2)}},
+                 {}, 200);
 }
 
 TEST(SharpObjects, AnEyeInTheWine) {
@@ -106,7 +105,7 @@ TEST(SharpObjects, AnEyeInTheWine) {
     const Look look(volumeOf(glass), params);
     const auto counts = [&](const judge::Ray& ray) { return tellable(glass, ray); };
     const Off off = offOf(look, params, glass, counts);
-    EXPECT_GT(off.rays, 300);
+    EXPECT_GT(off.rays, 200);
     EXPECT_LT(off.degrees, 0.01);                                            // the bar
     EXPECT_LT(energyOff(look, params, glass, counts), 1e-4 * kWine * kWine); // L/n² at the eye
 }
