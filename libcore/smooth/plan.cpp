@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "smooth/kernel.h"
+#include "smooth/sides.h"
 
 #include <algorithm>
 
@@ -21,6 +22,35 @@ bool constant(const volume::DenseGrid& grid) {
     return true;
 }
 
+/// What is smoothed where nothing is asked for.
+std::vector<std::string> automaticGrids(const volume::Volume& volume, const Sides& sides) {
+    std::vector<std::string> grids = kDefaultGrids;
+    for (const volume::ObjectFacts& object : sides.objects())
+        grids.push_back(volume::ownGrid("ior", object.name));
+    grids.push_back(volume::ownGrid("ior", volume::kMedium));
+    std::erase_if(grids, [&](const std::string& grid) {
+        const bool always =
+            std::find(kDefaultGrids.begin(), kDefaultGrids.end(), grid) != kDefaultGrids.end();
+        return !always && !volume.has(grid);
+    });
+    return grids;
+}
+
+/// The grid with what tells how to smooth it; nothing if it has one value.
+std::optional<Item> itemOf(const volume::Volume& volume, const Sides& sides,
+                           const std::string& grid) {
+    if (volume.constant(grid)) return {};
+    Item item{grid, volume.background(grid, glm::vec3(0)), volume.dense(grid, volume.domain())};
+    if (constant(item.values)) return {};
+    for (const volume::ObjectFacts& object : sides.objects())
+        if (object.sdf == grid) item.object = object;
+    if (item.object)
+        item.halfWidth = item.background.x / volume.frame().voxelSize;
+    else
+        item.counts = sides.countsOf(grid);
+    return item;
+}
+
 } // namespace
 
 Plan makePlan(const volume::Volume& volume, const Params& params) {
@@ -31,7 +61,9 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     const std::string size =
         "sigma " + toText(params.sigma) + ", " + std::to_string(params.width()) + " taps";
     std::vector<std::string> seen;
-    for (const std::string& grid : params.automaticGrids ? kDefaultGrids : params.grids) {
+    const Sides sides(volume);
+    for (const std::string& grid :
+         params.automaticGrids ? automaticGrids(volume, sides) : params.grids) {
         if (std::find(seen.begin(), seen.end(), grid) != seen.end()) continue;
         seen.push_back(grid);
         const bool present = volume.has(grid);
@@ -40,15 +72,15 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
             plan.effects.push_back({grid, false, "no grid '" + grid + "'"});
             continue;
         }
-        Item item{grid, {}, volume.dense(grid, volume.domain())};
+        std::optional<Item> item = itemOf(volume, sides, grid);
         if (!wide) {
             plan.effects.push_back({grid, false, size});
-        } else if (constant(item.values)) {
+        } else if (!item) {
             plan.effects.push_back({grid, false, "it has one value"});
         } else {
-            item.background = volume.background(grid, glm::vec3(0));
-            plan.items.push_back(std::move(item));
-            plan.effects.push_back({grid, true, size});
+            plan.effects.push_back(
+                {grid, true, size + (item->counts.empty() ? "" : ", one-sided")});
+            plan.items.push_back(std::move(*item));
         }
     }
     return plan;

@@ -6,6 +6,7 @@
 #include "smooth/params.h"
 #include "volume/volume.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct Item {
     std::string grid;
     glm::vec3 background{0.0f};
     volume::DenseGrid values;
+    /// Per voxel 1 where the grid's values count and are smoothed, 0 where they neither are nor do;
+    /// empty: all count.
+    std::vector<float> counts{};
+    /// Of a level set: which, and its half width [voxel]. What lies beyond its band stays there.
+    std::optional<volume::ObjectFacts> object{};
+    double halfWidth = 0;
 };
 
 struct Plan {
@@ -25,7 +32,9 @@ struct Plan {
     std::vector<Effect> effects; ///< one per grid asked for
 };
 
-/// Reads the grids to be smoothed and decides. A grid of one value is none of them. Throws
+/// Reads the grids to be smoothed and decides. A grid of one value is none of them. One-sided
+/// values (`GRID.NAME`; unsuffixed grids where an object has no `ior.NAME`) count up to where the
+/// contract has them valid, 4 voxels beyond the object's boundary, or to its band's end. Throws
 /// DataError if a named grid is not there or is neither float nor vec3s.
 Plan makePlan(const volume::Volume& volume, const Params& params);
 

@@ -1,2 +1,2 @@
-eikonal_room(smooth SOURCES kernel.cpp params.cpp plan.cpp smooth.cpp
+eikonal_room(smooth SOURCES kernel.cpp params.cpp plan.cpp sides.cpp smooth.cpp
              SYSTEM_INCLUDES ${PROJECT_SOURCE_DIR}/shaders)

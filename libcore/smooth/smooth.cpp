@@ -7,6 +7,7 @@
 #include "smooth/kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/vec4.hpp>
 #include <utility>
 
@@ -112,6 +113,43 @@ void Smoother::smoothAxis(ivec3 size, int axis) {
     std::swap(mSource, mTarget);
 }
 
+// Below this share of the kernel that counts, rounding would show: such a value stays.
+constexpr float kLeastShare = 1e-3f;
+
+/// Smooths one component of the values that count, by themselves: the weights of those are made to
+/// sum to 1 (Knutsson and Westin 1993). `share` is what their weights sum to.
+void smoothCounting(Smoother& smoother, const std::vector<float>& counts,
+                    const std::vector<float>& share, std::vector<float>& values) {
+    const auto first = std::find(counts.begin(), counts.end(), 1.0f);
+    if (first == counts.end()) return;
+    // Differences from one of them, so that a constant stays one to the last bit.
+    const float from = values[static_cast<size_t>(first - counts.begin())];
+    float low = from, high = from;
+    std::vector<float> sums(values.size());
+    for (size_t i = 0; i < values.size(); ++i) {
+        if (counts[i] == 0) continue;
+        sums[i] = values[i] - from;
+        low = std::min(low, values[i]);
+        high = std::max(high, values[i]);
+    }
+    smoother.smooth(sums);
+    for (size_t i = 0; i < values.size(); ++i)
+        if (counts[i] > 0 && share[i] >= kLeastShare)
+            values[i] = std::clamp(from + sums[i] / share[i], low, high);
+}
+
+/// Smooths one component of an item.
+void smoothComponent(Smoother& smoother, const Item& item, const std::vector<float>& share,
+                     std::vector<float>& values) {
+    if (!item.counts.empty()) return smoothCounting(smoother, item.counts, share, values);
+    if (!item.object) return smoother.smooth(values);
+    // Beyond the band distances are not known, only that they are larger.
+    const std::vector<float> before = values;
+    smoother.smooth(values);
+    for (size_t i = 0; i < values.size(); ++i)
+        if (std::abs(before[i]) >= item.background.x) values[i] = before[i];
+}
+
 } // namespace
 
 std::vector<Item> run(gpu::Device& device, Plan plan, Stats& stats, const Progress& progress,
@@ -125,15 +163,17 @@ std::vector<Item> run(gpu::Device& device, Plan plan, Stats& stats, const Progre
         const auto components = static_cast<size_t>(item.values.components);
         std::vector<float>& values = item.values.values;
         std::vector<float> component(components > 1 ? item.values.voxels() : 0);
+        std::vector<float> share = item.counts;
+        if (!share.empty()) smoother.smooth(share);
         for (size_t c = 0; c < components; ++c) {
             if (components > 1) {
                 for (size_t i = 0; i < component.size(); ++i)
                     component[i] = values[components * i + c];
-                smoother.smooth(component);
+                smoothComponent(smoother, item, share, component);
                 for (size_t i = 0; i < component.size(); ++i)
                     values[components * i + c] = component[i];
             } else {
-                smoother.smooth(values);
+                smoothComponent(smoother, item, share, values);
             }
             done += 1.0 / static_cast<double>(components);
             report(progress, done / static_cast<double>(plan.items.size()));

@@ -11,9 +11,10 @@
 
 namespace eikonal::smooth {
 
-/// Smooths the plan's grids; edges clamp. Fills passes and counters of `stats`. A component is
-/// smoothed in slabs where it is larger than the device's buffers, or than `slabBytes` [byte]; the
-/// values do not depend on that. Throws MemoryError before the work if not even the thinnest fits.
+/// Smooths the plan's grids; edges clamp, and values that do not count are left out of the means.
+/// Fills passes and counters of `stats`. A component is smoothed in slabs where it is larger than
+/// the device's buffers, or than `slabBytes` [byte]; the values do not depend on that. Throws
+/// MemoryError before the work if not even the thinnest fits.
 std::vector<Item> run(gpu::Device& device, Plan plan, Stats& stats, const Progress& progress,
                       std::int64_t slabBytes = std::numeric_limits<std::int64_t>::max());
 

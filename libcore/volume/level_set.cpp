@@ -36,7 +36,6 @@ openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const DenseGrid& value
         }
     });
     openvdb::tools::pruneLevelSet(grid->tree());
-    grid->setGridClass(openvdb::GRID_LEVEL_SET);
     return grid;
 }
 

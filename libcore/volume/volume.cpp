@@ -450,9 +450,12 @@ void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const D
         throw InternalError("grid '" + object.sdf + "': " + *wrong);
     const auto made =
         makeLevelSet(box, values, static_cast<float>(halfWidth * mImpl->frame.voxelSize));
+    made->setCreator("eikonal");
+    const Impl::Entry* old = mImpl->find(object.sdf);
+    if (old && typeOf(*old->grid) == GridType::scalar) inherit(*made, *old->grid, false);
+    made->setGridClass(openvdb::GRID_LEVEL_SET);
     describe(*made, object);
     made->setName(object.sdf);
-    made->setCreator("eikonal");
     mImpl->place(made);
 }
 

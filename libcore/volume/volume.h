@@ -127,7 +127,8 @@ public:
     /// it costs nothing. Scalars take the first component.
     void putConstant(const std::string& grid, const glm::vec3& value);
     /// Adds or replaces the level set of an object. `values` over `box` are distances [unit],
-    /// negative inside; they are cut to `halfWidth` [voxel] either side, and active below that.
+    /// negative inside; they are cut to `halfWidth` [voxel] either side, and active below that. A
+    /// level set replaced hands on its metadata.
     void putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
                      double halfWidth);
 

@@ -99,6 +99,27 @@ test_explains() {
     nothing_left
 }
 
+test_objects() {
+    # A mesh's index is constant within; only the mixed one is smoothed.
+    printf 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >tetra.obj
+    expect 0 mesh2vol tetra.obj -o tetra.vdb --ior 1.5 --resolution 32
+    expect 0 volsmooth tetra.vdb --explain
+    prints '^ior: on'
+    prints '^ior.tetra: off (it has one value)'
+    expect 0 volsmooth tetra.vdb -o out.vdb --grids sdf
+    if command -v vdb_print >/dev/null; then
+        vdb_print -l out.vdb >stdout
+        prints 'class: level set'
+        prints 'eikonal:object: tetra'
+    fi
+    rm -f out.vdb
+    refuses 65 tetra.vdb -o out.vdb --grids sdf.tetra
+    says "no grid 'sdf.tetra'"
+    expect 0 make_volume twice.vdb size=8 sdf.medium sphere:3:-1:1 ior sphere:3:1.5:1:all
+    refuses 65 twice.vdb -o out.vdb
+    says "expected another name"
+}
+
 test_copies_what_needs_nothing() {
     expect 0 volsmooth in.vdb -o out.vdb --sigma 0 --stats stats.json
     says 'nothing in in.vdb to smooth'

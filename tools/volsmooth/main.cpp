@@ -26,7 +26,9 @@ void addOptions(CLI::App& app, Options& o) {
                    "taps along each axis, an odd number (default: the next from 6 sigma on)")
         ->type_name("WIDTH");
     app.add_option("--grids", o.grids,
-                   "float or vec3s grids to smooth (default: those of ior, opacity in the file)")
+                   "float or vec3s grids to smooth (default: those of ior, opacity in the file, "
+                   "and what varies of ior.NAME, within its object only); sdf or sdf.NAME: moves "
+                   "the boundary, rounds its edges")
         ->type_name("NAME,...");
     tool::addGridNames(app, o.names, {"ior", "opacity"});
 }
@@ -62,7 +64,11 @@ void smoothVolume(tool::Session& session, Options& o) {
             options.keepActive = true;
             for (const smooth::Item& item : smoothed) {
                 options.background = item.background;
-                volume->put(item.grid, volume->domain(), item.values, options);
+                if (item.object)
+                    volume->putLevelSet(*item.object, volume->domain(), item.values,
+                                        item.halfWidth);
+                else
+                    volume->put(item.grid, volume->domain(), item.values, options);
             }
         });
     }
