@@ -39,6 +39,8 @@ namespace { // the library knows no `inline`
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "lib/attenuation.glsl"
 #include "lib/box.glsl"
+#include "lib/dip.glsl"
+#include "lib/fresnel.glsl"
 #include "lib/latlong.glsl"
 #include "lib/octree.glsl"
 #include "lib/phase.glsl"

@@ -8,6 +8,7 @@
 //   SHAPE     constant:V            sphere:RADIUS:IN:OUT         box:HALF_EDGE:IN:OUT
 //             linear:V:DX,DY,DZ     delta:X,Y,Z:V                luneburg:RADIUS
 //             rod:N0:G              (n² = n0² (1 − g² (x² + y²)), a GRIN rod along z)
+//             ball:RADIUS           (its signed distance)
 // V, IN, OUT are values (r,g,b for a vector), lengths in units from the volume's centre, a delta's
 // place a voxel from the corner. Voxels that differ from the background are active; with
 // "all" behind the shape ("sphere:1:1.5:1:all") every voxel is.
@@ -85,6 +86,10 @@ std::function<dvec3(dvec3, glm::ivec3)> shapeOf(const std::vector<std::string>& 
         return [r = numberOf(parts[1])](dvec3 x, glm::ivec3) {
             return dvec3(std::sqrt(2 - std::min(glm::dot(x, x) / (r * r), 1.0)));
         };
+    }
+    if (kind == "ball") {
+        arguments(1);
+        return [r = numberOf(parts[1])](dvec3 x, glm::ivec3) { return dvec3(glm::length(x) - r); };
     }
     if (kind == "rod") {
         arguments(2);
