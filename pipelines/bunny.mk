@@ -15,7 +15,7 @@ include pipelines/bunny_scene.mk
 NAME           := bunny
 MESHES         := $(BUNNY)
 VOLUME_OPTIONS ?= $(BUNNY_VOLUME)
-SMOOTH_OPTIONS ?=
+SMOOTH         ?= off
 LIGHT_OPTIONS  ?= --light $(LIGHT)
 VIEW_OPTIONS   ?= $(BUNNY_VIEW) --size $(SIZE) --env $(STUDIO)
 VIEW_FILES     := $(STUDIO)

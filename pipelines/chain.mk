@@ -5,6 +5,7 @@
 #   NAME            of the picture: $(OUT)/$(NAME).exr and .png
 #   MESHES          mesh files
 #   VOLUME_OPTIONS  mesh2vol's: materials, resolution       (a change runs everything again)
+#   SMOOTH          off: without volsmooth, which sharp boundaries don't need
 #   SMOOTH_OPTIONS  volsmooth's                             (volsmooth, lightsim, render)
 #   LIGHT_OPTIONS   lightsim's: lights, photons             (lightsim, render)
 #   VIEW_OPTIONS    render's: camera, background, exposure  (render alone)
@@ -16,6 +17,8 @@ SHELL := /bin/bash
 BIN  ?= build/bin
 OUT  ?= out
 WORK := $(OUT)/$(NAME)
+SMOOTH ?= on
+UNLIT := $(WORK)/$(if $(filter off,$(SMOOTH)),volume,smooth).vdb
 
 .PHONY: picture FORCE
 picture: $(OUT)/$(NAME).exr $(OUT)/$(NAME).png
@@ -33,7 +36,7 @@ $(WORK)/volume.vdb: $(MESHES) $(WORK)/VOLUME_OPTIONS.options
 $(WORK)/smooth.vdb: $(WORK)/volume.vdb $(WORK)/SMOOTH_OPTIONS.options
 	$(BIN)/volsmooth $< -o $@ $(SMOOTH_OPTIONS) --stats $(@:.vdb=.json)
 
-$(WORK)/light.vdb: $(WORK)/smooth.vdb $(WORK)/LIGHT_OPTIONS.options
+$(WORK)/light.vdb: $(UNLIT) $(WORK)/LIGHT_OPTIONS.options
 	$(BIN)/lightsim $< -o $@ $(LIGHT_OPTIONS) --stats $(@:.vdb=.json)
 
 # One run makes both pictures.

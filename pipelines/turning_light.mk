@@ -17,12 +17,12 @@ default: $(ALL:%=$(WORK)/frame_%.png)
 .SECONDARY:
 include pipelines/bunny_scene.mk
 
-$(WORK)/smooth.vdb: $(BUNNY)
+$(WORK)/volume.vdb: $(BUNNY)
 	@mkdir -p $(@D)
-	$(BIN)/mesh2vol $< -o - $(BUNNY_VOLUME) | $(BIN)/volsmooth - -o $@
+	$(BIN)/mesh2vol $< -o $@ $(BUNNY_VOLUME)
 
 # From the left to the right: sideways part −0.8 to 0.8, power as in the still picture.
-$(WORK)/light_%.vdb: $(WORK)/smooth.vdb
+$(WORK)/light_%.vdb: $(WORK)/volume.vdb
 	$(BIN)/lightsim $< -o $@ --photons $(PHOTONS) --light directional:$$(awk -v k=$* \
 	  'BEGIN {print 1.6 * (k - 1) / ($(FRAMES) > 1 ? $(FRAMES) - 1 : 1) - 0.8}'),-1,-0.05:14,13,11.5
 

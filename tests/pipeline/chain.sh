@@ -33,7 +33,7 @@ f 6 1 7 12
 END
 }
 
-voxelize='--ior 1.3 --resolution 40 --absorption 0.1,0.3,0.5 --scattering 2,1.5,1 --anisotropy 0.5'
+voxelize='--boundary blurred --ior 1.3 --resolution 40 --absorption 0.1,0.3,0.5 --scattering 2,1.5,1 --anisotropy 0.5'
 light='--light directional:-1,-2,-0.7:25,25,20 --photons 60000'
 dim_light='--light directional:-1,-2,-0.7:4,4,3 --photons 60000'
 glance='--eye 4,3,7 --target 0.9,1.1,0.5 --fov 25 --size 96x72 --background 0.05,0.1,0.2'
@@ -52,7 +52,19 @@ chain_by_pipes() {
 
 # An opaque, diffuse one of the same shape under the same light.
 chain_opaque() {
-    mesh2vol mesh.obj -o a.vdb --ior 1 --opacity 1 --albedo 0.9,0.5,0.2 --resolution 40 --quiet &&
+    mesh2vol mesh.obj -o a.vdb --boundary blurred --ior 1 --opacity 1 --albedo 0.9,0.5,0.2 --resolution 40 --quiet &&
         volsmooth a.vdb -o b.vdb --quiet && lightsim b.vdb -o c.vdb $dim_light --quiet &&
         render c.vdb -o "$1" $glance --quiet
+}
+
+# Clear glass with sharp boundaries beside an opaque block, in haze: reflections, shadows, caustics.
+chain_sharp() {
+    awk '/^v/ {print "v", -0.4 - $2, $3, $4}
+         /^f/ {printf "f"; for (i = NF; i > 1; --i) printf " %s", $i; print ""}' mesh.obj >block.obj
+    mesh2vol mesh.obj block.obj -o a.vdb --resolution 56 --ior 1.5 --ior 1 --opacity 0 --opacity 1 \
+        --absorption 0.1,0.3,0.5 --absorption 0 --albedo 0 --albedo 0.9,0.5,0.2 \
+        --medium-scattering 0.15 --quiet &&
+        lightsim a.vdb -o b.vdb $light --quiet &&
+        render b.vdb -o "$1" --eye 2.5,3.4,7 --target -0.1,1.1,0.5 --fov 30 --size 96x72 \
+            --background 0.05,0.1,0.2 --samples 2 --quiet
 }

@@ -11,8 +11,9 @@ cd "$folder"
 write_mesh
 chain_by_files glass.exr
 chain_opaque opaque.exr
+chain_sharp sharp.exr
 mkdir -p "$here/golden"
-for picture in glass opaque; do
+for picture in glass opaque sharp; do
     # Halves and no history, which names every command: the pixels are what is compared.
     oiiotool $picture.exr --ch R,G,B,A -d half --compression zip --eraseattrib 'eikonal:.*' \
         --eraseattrib 'Software|DateTime|Exif:.*|ImageHistory' --nosoftwareattrib \
