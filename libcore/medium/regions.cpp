@@ -8,22 +8,64 @@
 
 namespace eikonal::medium {
 
+namespace {
+
+// Look-ups on one object's behalf reach this far beyond its boundary: a step and a spline [voxel].
+constexpr float kLookUps = 4;
+
+/// Puts the values of solid k's region into the voxels that it is nearest to. `nearest` has the
+/// distance of the nearest so far [voxel]. Throws DataError where both are within kLookUps.
+void join(const Objects& objects, size_t k, const std::string& path, Index& index,
+          std::vector<float>& nearest) {
+    const Solid& solid = objects.solids[k];
+    const Region& region = objects.regions[k];
+    const glm::ivec3 size = objects.size;
+    size_t i = 0;
+    for (int z = solid.box.min.z; z <= solid.box.max.z; ++z)
+        for (int y = solid.box.min.y; y <= solid.box.max.y; ++y)
+            for (int x = solid.box.min.x; x <= solid.box.max.x; ++x, ++i) {
+                const size_t voxel = (static_cast<size_t>(z) * size.y + y) * size.x + x;
+                const float distance = solid.distance[i];
+                if (std::max(distance, nearest[voxel]) < kLookUps)
+                    throw DataError(path + ": the index varies in '" + region.name +
+                                    "' and in another object less than " +
+                                    std::to_string(static_cast<int>(2 * kLookUps)) +
+                                    " voxels off, expected one of them, or more room");
+                if (distance >= nearest[voxel]) continue;
+                nearest[voxel] = distance;
+                const float n = region.index.grid.values[voxel];
+                index.grid.values[voxel] = n;
+                if (distance > kLookUps) continue;
+                index.least = std::min(index.least, n);
+                index.most = std::max(index.most, n);
+            }
+}
+
+} // namespace
+
 Index varyingIndex(const Objects& objects, const std::string& path) {
     Index index;
-    index.background = objects.regions.back().index.value.x;
+    const Region& medium = objects.regions.back();
+    index.background = medium.index.value.x;
     index.least = index.most = index.background;
-    for (const Region& region : objects.regions) {
-        if (!region.index.varies()) continue;
-        if (index.varies())
-            throw DataError(path + ": the index varies in '" + region.name +
-                            "' and elsewhere, expected it to vary on one side of sharp boundaries "
-                            "at most");
-        const auto& values = region.index.grid.values;
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        index.least = *least;
-        index.most = *most;
-        index.grid = region.index.grid;
+    std::vector<float> nearest;
+    for (size_t k = 0; k < objects.solids.size(); ++k) {
+        if (!objects.regions[k].index.varies()) continue;
+        if (nearest.empty()) {
+            index.grid = objects.regions[k].index.grid;
+            nearest.assign(index.grid.values.size(), 1e9f);
+        }
+        join(objects, k, path, index, nearest);
     }
+    if (!medium.index.varies()) return index;
+    if (!nearest.empty())
+        throw DataError(path + ": the index varies in an object and in what surrounds it, expected "
+                               "it to vary on one side of sharp boundaries");
+    index.grid = medium.index.grid;
+    const auto [least, most] =
+        std::minmax_element(index.grid.values.begin(), index.grid.values.end());
+    index.least = std::min(index.least, *least);
+    index.most = std::max(index.most, *most);
     return index;
 }
 

@@ -13,8 +13,10 @@ namespace eikonal::medium {
 /// A grid's values in a region, whichever that is.
 using RegionValues = OneSided Region::*;
 
-/// The one index grid that varies, of whichever region, or an index that does not. `path` is the
-/// file's. Throws DataError if two vary.
+/// One index grid for all regions whose index varies, or an index that does not: each voxel has the
+/// value of the varying object that is nearest, so that look-ups within one object, and the few voxels
+/// round it that they reach, find its own values alone. `path` is the file's. Throws DataError where
+/// two regions that vary come closer than that.
 Index varyingIndex(const Objects& objects, const std::string& path);
 
 /// Throws DataError naming grid and region if one of these grids varies within a region.
