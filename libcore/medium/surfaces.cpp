@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
 #include <tbb/parallel_for.h>
 
@@ -16,7 +17,7 @@ using glm::ivec3;
 using glm::vec3;
 using glm::vec4;
 #include "shared/surface_params.h"
-static_assert(sizeof(SurfaceParams) == 48 + 12 * 32 + 13 * 96);
+static_assert(sizeof(SurfaceParams) == 80 + 12 * 32 + 13 * 96);
 
 // As in shaders/medium/surface.glsl.
 constexpr unsigned kBinding = 4, kDistancesUnit = 9, kClearanceUnit = 10, kNearbyUnit = 11,
@@ -92,6 +93,22 @@ gpu::Texture makePages(gpu::Device& device, const Objects& objects, bool floorAt
         slice += outer.z;
     }
     return texture;
+}
+
+/// The box that all boundaries are in: a point of one is in a voxel whose centre is within kVoxel.
+std::pair<vec3, vec3> boundsOf(const Objects& objects) {
+    ivec3 low = objects.size, high(-1);
+    for (const Solid& solid : objects.solids) {
+        size_t i = 0;
+        for (int z = solid.box.min.z; z <= solid.box.max.z; ++z)
+            for (int y = solid.box.min.y; y <= solid.box.max.y; ++y)
+                for (int x = solid.box.min.x; x <= solid.box.max.x; ++x, ++i)
+                    if (solid.distance[i] < kVoxel) {
+                        low = glm::min(low, ivec3(x, y, z));
+                        high = glm::max(high, ivec3(x, y, z));
+                    }
+    }
+    return {vec3(low) - 0.5f, vec3(high) + 0.5f};
 }
 
 /// One axis of an exact squared distance transform: the lower envelope of parabolas (Felzenszwalb
@@ -247,6 +264,9 @@ Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize
     const ivec3 texels = texelsOf(objects);
     values.texel = vec4(1.0f / vec3(texels), 0);
     values.voxel = vec4(1.0f / vec3(objects.size), 0);
+    const auto [low, high] = boundsOf(objects);
+    values.low = vec4(low, 0);
+    values.high = vec4(high, 0);
     int slice = 0;
     for (size_t k = 0; k < objects.solids.size(); ++k) {
         const Solid& solid = objects.solids[k];

@@ -11,7 +11,7 @@ struct Account {
     vec4 remaining; // weight in the photons, whatever their fate; w: the largest error [voxel]
     vec4 absorbed;
     vec4 scattered;
-    vec4 escaped;
+    vec4 escaped;  // w: photons that met too many boundaries
     uvec4 count;   // photons, steps, deposits, trapped
 };
 layout(std430, binding = 2) writeonly buffer Accounts { Account accounts[]; };
@@ -32,6 +32,7 @@ void main() {
         sum.absorbed += vec4(photon.absorbed.xyz, 0.0);
         sum.scattered += vec4(photon.scattered.xyz, 0.0);
         if (fate == kEscaped) sum.escaped += weight;
+        if (fate == kDeep) sum.escaped.w += 1.0;
         sum.count += uvec4(1u, photon.count.y, photon.count.z, fate == kTrapped ? 1u : 0u);
     }
     accounts[item] = sum;

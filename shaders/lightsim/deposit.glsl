@@ -31,11 +31,12 @@ struct Carried {
     float phase;    // of the rounding, in [0, 1)
     uint deposits;
     uint fullest;   // the largest sum met
+    float ends;     // share of the last piece before an opaque voxel
 };
 
 Carried carriedBy(Photon photon) {
     return Carried(vec3(photon.place.w, photon.wave.w, photon.absorbed.w), photon.absorbed.xyz,
-                   photon.scattered.xyz, photon.scattered.w, photon.count.z, 0u);
+                   photon.scattered.xyz, photon.scattered.w, photon.count.z, 0u, 1.0);
 }
 
 // The photon as it is kept until the next launch, for which it is listed if it goes on.
@@ -56,8 +57,8 @@ Attenuation dimmingOf(float depth) {
 }
 
 // Walks the voxels from x to x + along (Amanatides and Woo 1987), t from 0 to 1, through a medium of
-// these coefficients [1/voxel]. Gives the t where an opaque voxel begins, or 1.
-float deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS) {
+// these coefficients [1/voxel].
+void deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS) {
     ivec3 size = params.size.xyz;
     ivec3 stride = ivec3(1, size.x, size.x * size.y);
     float unit = params.limits.z;
@@ -73,7 +74,6 @@ float deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigma
     int voxel = int(cell.x) + int(cell.y) * stride.y + int(cell.z) * stride.z;
     vec3 sigmaT = sigmaA + sigmaS;
     vec3 spent = vec3(0.0); // weight times length over the whole piece
-    float ends = 1.0;
     float t = 0.0;
     bool walking = true;
     while (walking) {
@@ -83,7 +83,7 @@ float deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigma
         leave = walking ? leave : 1.0;
         float pathLength = max(leave - t, 0.0) * stepLength;
         if (kOpaque && texelFetch(opaque, ivec3(cell), 0).x != 0u) {
-            ends = t;
+            carried.ends = t;
             break;
         }
         vec3 share = carried.weight * pathLength;
@@ -129,5 +129,4 @@ float deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigma
     }
     carried.absorbed += sigmaA * spent;
     carried.scattered += sigmaS * spent;
-    return ends;
 }

@@ -7,3 +7,4 @@ const uint kEscaped = 2u; // left the domain
 const uint kStopped = 3u; // met opaque material, which absorbed it
 const uint kFaded = 4u;   // too dim to follow
 const uint kTrapped = 5u; // used up its steps
+const uint kDeep = 6u;    // met more boundaries than it may

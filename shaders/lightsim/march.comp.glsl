@@ -57,10 +57,10 @@ void main() {
             sigmaA = kColour ? a.xyz : vec3(a.x);
             sigmaS = kColour ? textureLod(scattering, at, 0.0).xyz : vec3(a.y);
         }
-        float ends = deposit(carried, x, along, sigmaA, sigmaS);
-        if (kOpaque && ends < 1.0) {
+        deposit(carried, x, along, sigmaA, sigmaS);
+        if (kOpaque && carried.ends < 1.0) {
             fate = kStopped;
-            next = x + ends * along;
+            next = x + carried.ends * along;
         }
         ++steps;
         x = next;

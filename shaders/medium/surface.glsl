@@ -5,6 +5,7 @@
 // each solid it is in; what it is in is a state that boundaries change, never looked up anew, so that
 // rounding can neither lose a boundary nor make one be met twice.
 #include "shared/surface_params.h"
+#include "lib/box.glsl"
 #include "lib/dip.glsl"
 #include "medium/spline.glsl"
 
@@ -247,6 +248,20 @@ Meeting meet(Way way, uint inside, float departs) {
             }
         }
         walking = walking && met.looks < kMostLooks;
+    }
+    return met;
+}
+
+// The same on a straight way, of which only what lies in the boundaries' box is searched.
+Meeting meetStraight(vec3 x, vec3 direction, float length_, uint inside, float departs) {
+    vec2 span = boxSpan(x, direction, surfaces.low.xyz, surfaces.high.xyz);
+    float from = max(span.x, 0.0);
+    float to = min(span.y, length_);
+    Meeting met = Meeting(length_, -1, vec3(0.0), 0);
+    if (to > from) {
+        met = meet(straightWay(x + from * direction, direction, to - from), inside,
+                   from > 0.0 ? 0.0 : departs);
+        met.s = met.solid < 0 ? length_ : met.s + from;
     }
     return met;
 }

@@ -20,6 +20,7 @@ struct BirthParams {
     vec4 high;          // the domain's high corner [voxel]
     vec4 weight;        // x: 1 for a point light
     ivec4 map;          // x, y: pixels of the map; z: the seed
+    ivec4 batch;        // this map's pixels are every z-th of a larger one's, from x, y on
 };
 
 struct PhotonParams {
@@ -32,6 +33,7 @@ struct PhotonParams {
     vec4 tracing; // x: longest step [voxel]; adaptive, y: error allowed per voxel of the way, z: length
                   // of a crossing [voxel]
     vec4 scale;  // xyz: 1 / (size + 2), voxels to coordinates of padded textures
+    uvec4 sharp; // x: most boundaries that a photon meets, y: differs by seed and batch
 };
 
 struct ResolveParams {

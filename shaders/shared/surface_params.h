@@ -20,6 +20,8 @@ struct SurfaceParams {
     vec4 texel; // xyz: 1 / texels of the distances
     vec4 voxel; // xyz: 1 / voxels of the domain
     vec4 page;  // xyz: 1 / texels of coefficients that vary
+    vec4 low;   // xyz: low corner of the box that all boundaries are in [voxel]
+    vec4 high;  // xyz: its high corner
     SolidParams solids[12];
     RegionParams regions[13]; // of each solid, then of what surrounds them
 };

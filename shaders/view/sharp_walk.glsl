@@ -140,7 +140,7 @@ Meeting walkOn(inout Seen seen, inout Branch branch) {
     float n = surfaces.regions[region].index.x;
     vec3 d = normalize(branch.ray.w);
     float length_ = timeToLeave(branch.ray.x, d, centre - halfSize, centre + halfSize);
-    Meeting met = meet(straightWay(branch.ray.x, d, max(length_, 1.0e-6)), branch.inside, branch.departs);
+    Meeting met = meetStraight(branch.ray.x, d, length_, branch.inside, branch.departs);
     if (kGathers) gatherStraight(seen, branch, region, d, n, met.s);
     seen.steps += met.looks;
     seen.pathLength += met.s;
