@@ -8,6 +8,7 @@
 #include "lightsim/photon_map.h"
 #include "lightsim/shared.h"
 #include "lightsim/upload.h"
+#include "medium/surfaces.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,10 @@ constexpr double kPi = 3.14159265358979323846;
 // Work items that sum up a batch's books: enough to fill a device, few enough to read back.
 constexpr int kAccounts = 1024;
 
+// The same among sharp boundaries, where a look for one counts as a step: two or three pieces of way
+// for most photons, then those that are reflected once more.
+constexpr unsigned kSharpStepsPerLaunch = 48;
+
 /// As in shaders/lightsim/account.comp.glsl.
 struct Account {
     glm::vec4 remaining, absorbed, scattered, escaped;
@@ -47,6 +52,7 @@ struct Account {
 struct Books {
     dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
     std::array<double, 4> counts{}; // photons, steps, deposits, trapped
+    double tooDeep = 0;             // photons that met too many boundaries
     double error = 0;               // the largest, estimated [voxel]
 };
 
@@ -86,6 +92,7 @@ private:
     bool traceOnce(const Window& window, const Light& light, double power,
                    const Progress& progress);
     void makeLists(const ivec2& pixels);
+    void bindMedium();
     std::uint32_t bear(const Window& window);
     std::uint32_t march(std::uint32_t count);
     Books closeBooks(const ivec2& pixels);
@@ -104,12 +111,14 @@ private:
     glm::dmat4 mVoxelFromWorld;
     VoxelBox mDomain, mTarget;
     medium::Field mField;
+    medium::Surfaces mSurfaces;
     Texture mLeaves, mAbsorption, mScattering, mOpaque, mMap;
-    Buffer mEmitter, mCount, mParamsBlock, mBirthBlock, mResolveBlock, mPhotons, mLists[2],
-        mAccounts;
+    Buffer mEmitter, mCount, mParamsBlock, mBirthBlock, mResolveBlock, mPhotons, mPassages,
+        mLists[2], mAccounts;
     std::vector<Buffer> mPlanes, mResults; // results: channels of fluence, then of direction
     std::int64_t mEmitterVertices = 0;
     PhotonParams mTracing{};
+    ivec4 mBatch{0, 0, 1, 0}; // BirthParams::batch
     Program mBirthMap, mBirth, mMarch, mAccount, mResolve, mSmooth;
 };
 
@@ -125,13 +134,14 @@ Simulation::Simulation(gpu::Device& device, const volume::Volume& volume, const 
     uploadEmitter();
     makeBuffers();
     mTracing.size = ivec4(plan.size, static_cast<int>(plan.voxels()));
-    mTracing.list = uvec4(0, kStepsPerLaunch, params.maxSteps, 0);
+    mTracing.list = uvec4(0, 0, params.maxSteps, 0);
     mTracing.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
     const optics::Tracing& tracing = params.tracing;
     const double crossing = glm::length(dvec3(plan.size));
     mTracing.tracing = vec4(tracing.step > 0 ? tracing.step : 1e6, tracing.tolerance / crossing,
                             crossing, 0);
     mTracing.scale = vec4(1.0f / glm::vec3(plan.size + 2), 0);
+    mTracing.sharp = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
 }
 
 void Simulation::compile() {
@@ -140,16 +150,25 @@ void Simulation::compile() {
     const int field = medium::fieldSwitch(mPlan.bends, mParams.tracing.sampling());
     const bool direction = mPlan.wants(Output::direction);
     mBirthMap = Program(mDevice, "lightsim/birth.vert.glsl", "lightsim/birth.frag.glsl", {});
-    mBirth = Program(mDevice, "lightsim/birth.comp.glsl", {{"FIELD", field}});
-    mMarch = Program(mDevice, "lightsim/march.comp.glsl",
-                     {{"PATH", mParams.tracing.pathSwitch(mPlan.bends)},
-                      {"FIELD", field},
-                      {"CHANNELS", channels},
-                      {"MEDIUM", !mPlan.attenuates ? 0
-                                 : mPlan.dense     ? 2
-                                                   : 1},
-                      {"DIRECTION", direction},
-                      {"OPAQUE", mPlan.opaque}});
+    gpu::Switches born{{"FIELD", field}};
+    gpu::Switches traced{{"PATH", mParams.tracing.pathSwitch(mPlan.bends)},
+                         {"FIELD", field},
+                         {"CHANNELS", channels},
+                         {"MEDIUM", !mPlan.attenuates ? 0
+                                    : mPlan.dense     ? 2
+                                                      : 1},
+                         {"DIRECTION", direction},
+                         {"OPAQUE", mPlan.opaque}};
+    if (mPlan.sharp)
+        for (const auto& [name, value] : medium::surfaceSwitches(mPlan.objects)) {
+            traced.emplace_back(name, value);
+            if (name == "SOLIDS") born.emplace_back(name, value);
+        }
+    mBirth = Program(mDevice,
+                     mPlan.sharp ? "lightsim/sharp_birth.comp.glsl" : "lightsim/birth.comp.glsl",
+                     born);
+    mMarch = Program(
+        mDevice, mPlan.sharp ? "lightsim/sharp.comp.glsl" : "lightsim/march.comp.glsl", traced);
     mAccount = Program(mDevice, "lightsim/account.comp.glsl", {});
     mResolve = Program(
         mDevice, "lightsim/resolve.comp.glsl",
@@ -163,12 +182,15 @@ void Simulation::uploadMedium() {
     mField = mPlan.bends ? medium::Field(mDevice, mPlan.index.grid,
                                          {mParams.tracing.sampling(), mParams.tracing.unbiased()})
                          : medium::Field(mDevice, mPlan.index.least);
-    if (mPlan.attenuates) {
+    if (mPlan.sharp) {
+        mSurfaces = medium::Surfaces(mDevice, mPlan.objects, mPlan.voxelSize);
+    } else if (mPlan.attenuates) {
         mAbsorption = makeAbsorption(mDevice, mPlan);
         if (mPlan.colour) mScattering = makeScattering(mDevice, mPlan);
     }
-    if (mPlan.opaque) mOpaque = makeOpaque(mDevice, mPlan);
+    if (mPlan.opaque && !mPlan.sharp) mOpaque = makeOpaque(mDevice, mPlan);
     mProfiler.end();
+    if (mPlan.sharp && !mPlan.bends) return; // from boundary to boundary in one go
     mProfiler.begin("octree");
     mLeaves = makeOctree(mDevice, mPlan, mParams);
     mProfiler.end();
@@ -244,7 +266,9 @@ void Simulation::traceLight(const Light& light, const Progress& progress) {
         for (int batch = 0; batch < b * b; ++batch) {
             const double part = 1.0 / (b * b);
             const double begun = static_cast<double>(w) + batch * part;
-            traceBatch(window.batch(batch % b, batch / b, b), light, power,
+            mBatch = ivec4(batch % b, batch / b, b, 0);
+            ++mTracing.sharp.y;
+            traceBatch(window.batch(mBatch.x, mBatch.y, b), light, power,
                        partOf(progress, begun / all, (begun + part) / all));
         }
     }
@@ -292,9 +316,10 @@ void Simulation::makeLists(const ivec2& pixels) {
     if (mMap.name() != 0 && mMap.size() == ivec3(pixels, 0)) return;
     const std::int64_t count = std::int64_t{pixels.x} * pixels.y;
     mMap = Texture(); // freed before the next is allocated
-    for (Buffer* buffer : {&mPhotons, &mLists[0], &mLists[1]}) *buffer = Buffer();
+    for (Buffer* buffer : {&mPhotons, &mPassages, &mLists[0], &mLists[1]}) *buffer = Buffer();
     mMap = Texture(mDevice, ivec3(pixels, 0), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     mPhotons = Buffer(mDevice, count * static_cast<std::int64_t>(sizeof(Photon)));
+    if (mPlan.sharp) mPassages = Buffer(mDevice, count * 16);
     for (Buffer& list : mLists) list = Buffer(mDevice, count * 4);
 }
 
@@ -311,6 +336,7 @@ std::uint32_t Simulation::bear(const Window& window) {
     birth.high = vec4(mDomain.high, 0);
     birth.weight = vec4(window.point ? 1 : 0, 0, 0, 0);
     birth.map = ivec4(window.pixels, static_cast<int>(mParams.seed), 0);
+    birth.batch = mBatch;
     mBirthBlock.upload(&birth, sizeof birth);
     mBirthBlock.bindUniform(0);
     mMap.clear();
@@ -324,7 +350,7 @@ std::uint32_t Simulation::bear(const Window& window) {
     mPhotons.bindStorage(1);
     mLists[0].bindStorage(2);
     mMap.bindSampler(0);
-    mField.bind();
+    bindMedium();
     mBirth.dispatch({window.pixels, 1});
     gpu::barrier();
     mDevice.check("photon birth");
@@ -334,11 +360,18 @@ std::uint32_t Simulation::bear(const Window& window) {
     return born;
 }
 
+void Simulation::bindMedium() {
+    mField.bind();
+    if (!mPlan.sharp) return;
+    mSurfaces.bind();
+    mPassages.bindStorage(10);
+}
+
 std::uint32_t Simulation::march(std::uint32_t count) {
     const std::uint32_t zero = 0;
     mCount.upload(&zero, sizeof zero);
     mTracing.list.x = count;
-    mTracing.list.y = kStepsPerLaunch;
+    mTracing.list.y = mPlan.sharp ? kSharpStepsPerLaunch : kStepsPerLaunch;
     mParamsBlock.upload(&mTracing, sizeof mTracing);
     mParamsBlock.bindUniform(0);
     mCount.bindStorage(0);
@@ -347,7 +380,7 @@ std::uint32_t Simulation::march(std::uint32_t count) {
     mLists[1].bindStorage(3);
     for (size_t i = 0; i < mPlanes.size(); ++i)
         mPlanes[i].bindStorage(4 + static_cast<unsigned>(i));
-    mField.bind();
+    bindMedium();
     const Texture* textures[] = {&mLeaves, &mAbsorption, &mScattering, &mOpaque};
     for (unsigned unit = 0; unit < 4; ++unit)
         if (textures[unit]->name() != 0) textures[unit]->bindSampler(2 + unit);
@@ -379,6 +412,7 @@ Books Simulation::closeBooks(const ivec2& pixels) {
         books.absorbed += dvec3(account.absorbed);
         books.scattered += dvec3(account.scattered);
         books.escaped += dvec3(account.escaped);
+        books.tooDeep += static_cast<double>(account.escaped.w);
         for (int i = 0; i < 4; ++i) books.counts[static_cast<size_t>(i)] += account.count[i];
     }
     mProfiler.end();
@@ -402,6 +436,7 @@ void Simulation::book(const Light& light, double power, const Books& born, const
     }
     const char* names[] = {"photons", "steps", "deposits", "trapped"};
     for (size_t i = 0; i < 4; ++i) mStats.count(names[i], done.counts[i]);
+    if (mPlan.sharp) mStats.count("photons_too_deep", done.tooDeep);
     if (mPlan.bends && mParams.tracing.integrator == optics::Integrator::adaptive)
         mStats.raise("position_error_voxels", done.error);
     mStats.count("atomic_adds", done.counts[2] * static_cast<double>(mPlanes.size()));

@@ -33,7 +33,7 @@ std::vector<ivec4> layLevels(ivec3 size) {
 
 /// σ_t of the channel that dims most [1/voxel], or nothing if it is the same in every voxel.
 std::vector<float> extinctionPerVoxel(const Plan& plan) {
-    if (!plan.attenuates) return {};
+    if (!plan.attenuates || plan.sharp) return {};
     std::vector<float> sigma(static_cast<size_t>(plan.voxels()));
     const auto h = static_cast<float>(plan.voxelSize);
     bool varies = false;

@@ -68,6 +68,7 @@ void Params::check() const {
     require(stepLimit > 0, "--step-limit", stepLimit, "above 0");
     require(stepMin >= 0.01 && stepMin <= 1e4, "--step-min", stepMin, "0.01 to 10000");
     require(maxSteps >= 1 && maxSteps <= 1 << 16, "--max-steps", maxSteps, "1 to 65536");
+    require(maxDepth >= 0 && maxDepth <= 4096, "--max-depth", maxDepth, "0 to 4096");
     require(dropBelow >= 0 && dropBelow < 1, "--drop-below", dropBelow, "0 to below 1");
     require(thinTo >= 0 && thinTo < 1, "--thin-to", thinTo, "0 to below 1");
     require(smoothing >= 0 && smoothing <= 64, "--smoothing", smoothing, "0 to 64");

@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "lightsim/lightsim.h"
+#include "lightsim/plan_sharp.h"
+#include "medium/surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +42,7 @@ std::string present(const std::string& grid, const medium::Coefficient& coeffici
     return coefficient.present ? "grid '" + grid + "'" : "no grid '" + grid + "', or 0 everywhere";
 }
 
-void listEffects(Plan& plan, const Params& params, const volume::Volume& volume) {
+void listBlurredEffects(Plan& plan, const Params& params) {
     const auto add = [&plan](const std::string& name, bool on, const std::string& why) {
         plan.effects.push_back({name, on, why});
     };
@@ -67,7 +69,21 @@ void listEffects(Plan& plan, const Params& params, const volume::Volume& volume)
         plan.attenuates ? (plan.colour ? "coefficients differ by wavelength" : "the medium is grey")
                         : "nothing absorbs or scatters");
     add("opaque", runs && plan.opaque, present("opacity", plan.opacity));
-    if (volume.has("dispersion")) add("dispersion", false, "photons are traced at 587.6 nm alone");
+}
+
+void listEffects(Plan& plan, const Params& params, const volume::Volume& volume) {
+    const bool runs = plan.outputs != Output::none;
+    plan.effects.push_back({"sharp_boundaries", runs && plan.sharp,
+                            plan.sharp ? "grid 'sdf'"
+                            : params.tracing.boundary == optics::Boundary::blurred
+                                ? "--boundary blurred"
+                                : "no grid 'sdf'"});
+    if (plan.sharp)
+        listSharpEffects(plan, params);
+    else
+        listBlurredEffects(plan, params);
+    if (volume.has("dispersion"))
+        plan.effects.push_back({"dispersion", false, "photons are traced at 587.6 nm alone"});
     if (runs && plan.index.jumpAtFaces > 1e-3f)
         plan.warnings.push_back("the index jumps by " + toText(plan.index.jumpAtFaces) +
                                 " at the domain's faces, which do not refract");
@@ -76,12 +92,7 @@ void listEffects(Plan& plan, const Params& params, const volume::Volume& volume)
                                 "proxy: it neither dims nor receives light there");
 }
 
-} // namespace
-
-Plan makePlan(const volume::Volume& volume, const Params& params) {
-    Plan plan;
-    plan.size = volume.domain().size();
-    plan.voxelSize = volume.frame().voxelSize;
+void planBlurred(Plan& plan, const volume::Volume& volume, const Params& params) {
     plan.scattering = medium::readCoefficient(volume, "scattering", volume.domain());
     plan.opacity = medium::readCoefficient(volume, "opacity", volume.domain());
     plan.outputs = params.automaticOutputs ? neededOutputs(volume, plan) : params.outputs;
@@ -96,6 +107,21 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.opaque = plan.opacity.present &&
                   std::any_of(plan.opacity.grid.values.begin(), plan.opacity.grid.values.end(),
                               [](float opacity) { return opacity > 0.5f; });
+}
+
+} // namespace
+
+Plan makePlan(const volume::Volume& volume, const Params& params) {
+    Plan plan;
+    plan.size = volume.domain().size();
+    plan.voxelSize = volume.frame().voxelSize;
+    plan.sharp = params.tracing.boundary == optics::Boundary::sharp ||
+                 (params.tracing.boundary == optics::Boundary::automatic &&
+                  !volume.objects().empty());
+    if (plan.sharp)
+        planSharp(plan, volume, params);
+    else
+        planBlurred(plan, volume, params);
     for (const Light& light : params.lights) plan.colouredLight |= !isGrey(light.rgb);
     listEffects(plan, params, volume);
     return plan;
@@ -113,13 +139,15 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     const int floats = plan.fluenceChannels() + (plan.wants(Output::direction) ? 3 : 0) + 1;
     needs.push_back({"the summed light", voxels * 4 * floats, false, 0});
     if (plan.bends) needs.push_back(medium::fieldNeed(plan.size, params.tracing.sampling()));
-    if (plan.bends || plan.attenuates)
+    if (plan.sharp)
+        for (const gpu::Need& need : medium::surfaceNeeds(plan.objects)) needs.push_back(need);
+    if (plan.bends || (plan.attenuates && !plan.sharp))
         needs.push_back(
             {"the octree", voxels / 8 * (4 + 3 * 16) + voxels * 8, false, (edge + 1) / 2});
-    if (plan.attenuates)
+    if (plan.attenuates && !plan.sharp)
         needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge + 2});
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
-    needs.push_back({"the photons", pixels * (80 + 2 * 4 + 16), true, 0});
+    needs.push_back({"the photons", pixels * (80 + 2 * 4 + 16 + (plan.sharp ? 16 : 0)), true, 0});
     return needs;
 }
 

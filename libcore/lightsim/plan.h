@@ -7,6 +7,7 @@
 #include "lightsim/params.h"
 #include "medium/field.h"
 #include "medium/medium.h"
+#include "medium/objects.h"
 #include "volume/volume.h"
 
 #include <vector>
@@ -18,14 +19,16 @@ struct Plan {
     glm::ivec3 size{0};   ///< [voxel]
     double voxelSize = 1; ///< [unit]
     Output outputs = Output::none;
-    bool bends = false;      ///< the index varies
+    bool sharp = false;      ///< boundaries are the zeros of signed distances
+    bool bends = false;      ///< the index varies, of sharp objects within one region
     bool attenuates = false; ///< something absorbs or scatters
     bool dense = false;      ///< a voxel's diagonal may have an optical depth above 0.25
     bool colour = false;     ///< it does so by wavelength: three traced channels, not one
     bool colouredLight = false;
     bool opaque = false;
     medium::Index index;
-    medium::Coefficient absorption, scattering, opacity;
+    medium::Coefficient absorption, scattering, opacity; ///< blurred
+    medium::Objects objects;                             ///< sharp
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 

@@ -14,8 +14,8 @@ using glm::vec4;
 #include "shared/lightsim_params.h"
 
 static_assert(sizeof(OctreeParams) == 80);
-static_assert(sizeof(BirthParams) == 208);
-static_assert(sizeof(PhotonParams) == 96);
+static_assert(sizeof(BirthParams) == 224);
+static_assert(sizeof(PhotonParams) == 112);
 static_assert(sizeof(ResolveParams) == 64);
 static_assert(sizeof(Photon) == 80);
 

@@ -18,6 +18,9 @@ Constants onlyPath(const std::string& integrator) {
     return constants;
 }
 
+// A photon's step without its part of several look-ups.
+const std::pair<std::string, std::string> kNoLeap{"vec3 middle; Leap leap;", "vec3 middle;"};
+
 Constants with(Constants constants, const Constants& more) {
     constants.insert(constants.end(), more.begin(), more.end());
     return constants;
@@ -79,10 +82,13 @@ std::vector<Cut> photonCuts() {
     const std::string k = kPhotonKernel;
     std::vector<Cut> cuts;
     cuts.push_back({"absorption and scattering", k, {{"kMedium", false}}});
-    cuts.back().edits = {{"absorbed += sigmaA * spent;", ""}, {"scattered += sigmaS * spent;", ""}};
+    cuts.back().edits = {{"vec3 along, vec3 sigmaA, vec3 sigmaS)", "vec3 along)"},
+                         {"x, along, sigmaA, sigmaS);", "x, along);"},
+                         {"carried.absorbed += sigmaA * spent;", ""},
+                         {"carried.scattered += sigmaS * spent;", ""}};
     cuts.back().gone = {"kMedium",    "MEDIUM",    "kDense",        "absorption",
                         "scattering", "dimmingOf", "attenuationOf", "thinAttenuationOf",
-                        "sigmaT"};
+                        "sigmaA",     "sigmaS",    "sigmaT",        "spent"};
     cuts.push_back({"colour", k, {{"kColour", false}}});
     cuts.back().branches = {"CHANNELS == 3"};
     cuts.back().gone = {"kColour", "red", "green", "blue", "scattering"};
@@ -93,10 +99,12 @@ std::vector<Cut> photonCuts() {
     cuts.back().edits = {{"CHANNELS + 3 * DIRECTION", "CHANNELS"}};
     cuts.back().gone = {"DIRECTION", "towards", "power"};
     cuts.push_back({"opaque surface", k, {{"kOpaque", false}, {"fate == kStopped", false}}});
-    cuts.back().gone = {"kOpaque", "OPAQUE", "opaque", "kStopped"};
+    cuts.back().edits = {{"float ends;", ""}, {"photon.count.z, 0u, 1.0);", "photon.count.z, 0u);"}};
+    cuts.back().gone = {"kOpaque", "OPAQUE", "opaque", "kStopped", "ends"};
     cuts.push_back(
         {"other integrators", k,
          with(onlyPath("verlet"), {{"kPath > kStraight", true}, {"kPath > kEuler", true}})});
+    cuts.back().edits = {kNoLeap};
     cuts.back().gone = {"kPath",   "PATH",         "kEuler",     "kRk4",   "kAdaptive", "eulerStep",
                         "rk4Step", "embeddedStep", "sharmaStep", "leapOf", "Leap"};
     cuts.push_back({"cubic interpolation", k, {}});
@@ -118,6 +126,7 @@ std::vector<Cut> straightPhotonCuts() {
     Cut cut{"refraction", kPhotonKernel,
             with(onlyPath(""), {{"kPath > kStraight", false}, {"kPath > kEuler", false}})};
     cut.branches = {"FIELD == 1", "FIELD == 2"};
+    cut.edits = {kNoLeap};
     cut.gone = {"kVerlet",   "halfKick",      "leapOf", "sharmaStep",
                 "eulerStep", "splineWeights", "Advance"};
     return {cut};

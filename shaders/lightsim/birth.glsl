@@ -1,0 +1,81 @@
+// A photon from its pixel of the photon map, if the light reaches it (Sun et al. 2008, §4.3).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/lightsim_params.h"
+#include "lib/box.glsl"
+#include "lib/random.glsl"
+#include "lightsim/fates.glsl"
+
+layout(std140, binding = 0) uniform Params { BirthParams params; };
+layout(std430, binding = 0) buffer Count { uint nextCount; };
+layout(std430, binding = 1) writeonly buffer Photons { Photon photons[]; }; // one per pixel
+layout(std430, binding = 2) writeonly buffer List { uint list[]; };         // pixels with a photon
+layout(binding = 0) uniform sampler2D birthMap;
+
+// The index at a photon's birthplace, of whichever medium it is born in.
+float indexAtBirth(uint id, ivec2 pixel, vec3 x);
+
+// The integral of the solid angle from the view's axis to tangents (u, v), a quarter of a pyramid's.
+float cornerAngle(float u, float v) {
+    return atan(u * v, sqrt(1.0 + u * u + v * v));
+}
+
+// The solid angle of a pixel at tangents `at`, over that of one straight ahead of no size. It falls off
+// as f = cos³ of the angle from the view's axis. A small pixel averages f to fourth order by its
+// second derivatives; a large one takes the exact difference, which would cancel for a small one.
+float solidAngleOf(vec2 at, vec2 edge) {
+    if (max(edge.x, edge.y) > 0.1) {
+        vec2 a = at - 0.5 * edge;
+        vec2 b = at + 0.5 * edge;
+        return (cornerAngle(b.x, b.y) - cornerAngle(a.x, b.y) - cornerAngle(b.x, a.y) +
+                cornerAngle(a.x, a.y)) / (edge.x * edge.y);
+    }
+    float q = 1.0 / (1.0 + dot(at, at));
+    vec2 bend = 15.0 * at * at * q * q - 3.0 * q; // f''/f along both edges
+    return q * sqrt(q) * (1.0 + dot(edge * edge, bend) / 24.0);
+}
+
+void bear() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, params.map.xy))) return;
+    uint id = uint(pixel.y * params.map.x + pixel.x);
+    vec4 met = texelFetch(birthMap, pixel, 0);
+    bool startsAtLight = params.origin.w == 1.0;
+    if (met.w == 0.0 && !startsAtLight) {
+        photons[id].count = uvec4(kNone, 0u, 0u, 0u);
+        return;
+    }
+
+    vec2 at = params.window.xy + params.window.zw * (vec2(pixel) + 0.5) / vec2(params.map.xy);
+    vec3 direction = params.forward.xyz;
+    float weight = 1.0;
+    if (params.weight.x == 1.0) {
+        direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
+        weight = solidAngleOf(at, params.window.zw / vec2(params.map.xy));
+    }
+    vec3 x = startsAtLight ? params.origin.xyz : met.xyz;
+    if (any(lessThan(x, params.low.xyz)) || any(greaterThan(x, params.high.xyz))) {
+        // A proxy may reach beyond the domain; rounding may put a face's point just outside it.
+        vec2 span = boxSpan(x, direction, params.low.xyz, params.high.xyz);
+        if (span.x <= span.y && span.y > 0.0) x += max(span.x, 0.0) * direction;
+        vec3 inside = clamp(x, params.low.xyz, params.high.xyz);
+        if (any(greaterThan(abs(inside - x), vec3(1.0e-2)))) { // more than rounding: it misses
+            photons[id].count = uvec4(kNone, 0u, 0u, 0u);
+            return;
+        }
+        x = inside;
+    }
+    // A light on a face of the domain sends half of its photons elsewhere.
+    if (startsAtLight && (any(lessThanEqual(max(x - params.low.xyz, direction), vec3(0.0))) ||
+                          any(lessThanEqual(max(params.high.xyz - x, -direction), vec3(0.0))))) {
+        photons[id].count = uvec4(kNone, 0u, 0u, 0u);
+        return;
+    }
+    Photon photon;
+    photon.place = vec4(x, weight);
+    photon.wave = vec4(indexAtBirth(id, pixel, x) * direction, weight);
+    photon.absorbed = vec4(0.0, 0.0, 0.0, weight);
+    photon.scattered = vec4(0.0, 0.0, 0.0, uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
+    photon.count = uvec4(kAlive, 0u, 0u, 0u);
+    photons[id] = photon;
+    list[atomicAdd(nextCount, 1u)] = id;
+}
