@@ -51,6 +51,25 @@ public:
             return dvec3(1 + 0.25 * std::erfc((glm::length(p) - 0.5) / blur / std::sqrt(2.0)));
         });
     }
+    /// An object bounded by distances [unit], in a band as mesh2vol writes it. Without a name the
+    /// plain grids are its own.
+    SceneVolume& solid(const std::string& name, int order,
+                       const std::function<double(dvec3)>& distance) {
+        const double h = 2.0 / mVoxels;
+        volume::DenseGrid dense{glm::ivec3(mVoxels), 1, {}};
+        for (int z = 0; z < mVoxels; ++z)
+            for (int y = 0; y < mVoxels; ++y)
+                for (int x = 0; x < mVoxels; ++x)
+                    dense.values.push_back(
+                        static_cast<float>(distance((dvec3(x, y, z) + 0.5) * h - 1.0)));
+        mVolume.putLevelSet({name, name.empty() ? "sdf" : "sdf." + name, 0, order},
+                            {glm::ivec3(0), glm::ivec3(mVoxels - 1)}, dense, 4);
+        return *this;
+    }
+    SceneVolume& own(const std::string& grid, const std::string& name, float value) {
+        mVolume.putConstant(volume::ownGrid(grid, name), glm::vec3(value));
+        return *this;
+    }
     volume::Volume take() { return std::move(mVolume); }
 
 private:
@@ -68,6 +87,38 @@ private:
 };
 
 using Fill = std::function<void(SceneVolume&)>;
+
+/// A ball of glass of radius ½, and in a corner what few rays meet.
+double ballDistance(const dvec3& p) {
+    return glm::length(p) - 0.5;
+}
+double cornerDistance(const dvec3& p) {
+    return glm::length(p - 0.85) - 0.2;
+}
+
+/// Index 1.5 within a sharp boundary; its other values are those of the plain grids.
+volume::Volume glassOf(const Scale& scale, const Fill& fill) {
+    SceneVolume scene(scale.voxels);
+    scene.constant("ior", 1, dvec3(1.5)).solid("", 0, ballDistance);
+    if (fill) fill(scene);
+    return scene.take();
+}
+
+/// The same and a second object, of which `fill` says more.
+volume::Volume glassBeside(const Scale& scale, const Fill& fill) {
+    SceneVolume scene(scale.voxels);
+    scene.constant("ior", 1, dvec3(1.5)).solid("glass", 0, ballDistance).own("ior", "glass", 1.5);
+    scene.solid("other", 1, cornerDistance).own("ior", "other", 1.5);
+    if (fill) fill(scene);
+    return scene.take();
+}
+
+/// A Luneburg lens of glass, n² = 2.25 (2 − 4 r²), which goes on beyond its rim.
+void gradeIndex(SceneVolume& scene) {
+    scene.add("ior", 1, [](dvec3 p) {
+        return dvec3(1.5 * std::sqrt(std::max(2 - 4 * glm::dot(p, p), 0.5)));
+    });
+}
 
 volume::Volume volumeOf(const Scale& scale, bool bends, const Fill& fill) {
     SceneVolume scene(scale.voxels);
@@ -127,7 +178,7 @@ Case viewCase(const std::string& name, volume::Volume volume, const view::Params
     volumes.push_back(std::move(volume));
     const auto scene = std::make_shared<view::Scene>(std::move(volumes));
     const auto plan = std::make_shared<view::Plan>(view::makePlan(*scene, params, map.has_value()));
-    return {name, kViewKernel, false, [=](gpu::Device& device) {
+    return {name, plan->sharp ? kSharpKernel : kViewKernel, false, [=](gpu::Device& device) {
                 Stats stats;
                 image::Image picture = view::render(device, *scene, *plan, params, map, stats, {});
                 return Outcome{passMs(stats, "view"), stats.counter("steps"),
@@ -217,6 +268,47 @@ std::vector<Case> viewCases(const Scale& scale) {
     return cases;
 }
 
+std::vector<Case> sharpCases(const Scale& scale) {
+    const view::Params params = viewParams(scale);
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, const Fill& more) {
+        cases.push_back(viewCase(name, glassOf(scale, more), params));
+    };
+    add("refraction alone", {});
+    add("absorption, grey", fill("absorption", 3, kGrey));
+    add("absorption, RGB", fill("absorption", 3, kRgb));
+    add("absorption that varies", [](SceneVolume& scene) {
+        scene.add("absorption", 3, [](dvec3 p) { return kGrey * (1.0 + p); });
+    });
+    add("scattering, isotropic", addHaze);
+    add("scattering, lobes", addLobes);
+    add("emission", fill("emission", 3, kGrey));
+    cases.push_back(viewCase("environment map", glassOf(scale, {}), params, mapOfStripes()));
+    cases.push_back(viewCase("a second object", glassBeside(scale, {}), params));
+    cases.push_back(viewCase("a second object, opaque",
+                             glassBeside(scale,
+                                         [](SceneVolume& scene) {
+                                             scene.own("opacity", "other", 1)
+                                                 .own("albedo", "other", 0.5f)
+                                                 .constant("fluence", 3, dvec3(1));
+                                         }),
+                             params));
+    view::Params deeper = params;
+    deeper.maxDepth = 64;
+    cases.push_back(viewCase("--max-depth 64", glassOf(scale, {}), deeper));
+    view::Params withAovs = params;
+    withAovs.aovs = view::allAovs();
+    cases.push_back(viewCase("all AOVs", glassOf(scale, {}), withAovs));
+    cases.push_back(viewCase("Verlet, linear", glassOf(scale, gradeIndex), params));
+    cases.back().isTracing = true;
+    addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
+        view::Params changed = params;
+        static_cast<optics::Tracing&>(changed) = tracing;
+        return viewCase(name, glassOf(scale, gradeIndex), changed);
+    });
+    return cases;
+}
+
 std::vector<Case> photonCases(const Scale& scale) {
     const lightsim::Params params = photonParams(scale);
     std::vector<Case> cases;
@@ -248,6 +340,10 @@ Case straightViewCase(const Scale& scale) {
                     viewParams(scale));
 }
 
+Case curvedSharpCase(const Scale& scale) {
+    return viewCase("an index that varies", glassOf(scale, gradeIndex), viewParams(scale));
+}
+
 Case straightPhotonCase(const Scale& scale) {
     return photonCase("absorption alone", volumeOf(scale, false, fill("absorption", 3, kGrey)),
                       photonParams(scale));
@@ -259,8 +355,9 @@ Case emptyGridsCase(const Scale& scale, const std::string& kernel) {
             scene.constant(grid, 3, dvec3(0));
         for (const char* grid : {"anisotropy", "opacity"}) scene.constant(grid, 1, dvec3(0));
     };
-    volume::Volume volume = volumeOf(scale, true, zeros);
-    return kernel == kViewKernel
+    volume::Volume volume =
+        kernel == kSharpKernel ? glassOf(scale, zeros) : volumeOf(scale, true, zeros);
+    return kernel != kPhotonKernel
                ? viewCase("empty grids", std::move(volume), viewParams(scale))
                : photonCase("empty grids", std::move(volume), photonParams(scale));
 }

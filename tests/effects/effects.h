@@ -18,6 +18,7 @@ namespace effects {
 using Json = nlohmann::ordered_json;
 
 inline constexpr const char* kViewKernel = "view/march.comp.glsl";
+inline constexpr const char* kSharpKernel = "view/sharp.comp.glsl";
 inline constexpr const char* kPhotonKernel = "lightsim/march.comp.glsl";
 
 /// A kernel as the device was given it.
@@ -56,6 +57,10 @@ std::vector<Cut> photonCuts();
 /// Refraction, for scenes whose index does not vary.
 std::vector<Cut> straightViewCuts();
 std::vector<Cut> straightPhotonCuts();
+/// Every effect that leaves the kernel of sharp boundaries round one object of glass; and that of
+/// one whose index varies.
+std::vector<Cut> sharpCuts();
+std::vector<Cut> curvedSharpCuts();
 
 struct Outcome {
     double gpuMs = 0; ///< of the pass that the case is about
@@ -78,10 +83,13 @@ struct Scale {
 
 /// The first is refraction alone; every other adds one thing to it.
 std::vector<Case> viewCases(const Scale& scale);
+std::vector<Case> sharpCases(const Scale& scale);
 std::vector<Case> photonCases(const Scale& scale);
 /// Grey absorption alone: rays are straight.
 Case straightViewCase(const Scale& scale);
 Case straightPhotonCase(const Scale& scale);
+/// Within sharp boundaries an index that varies.
+Case curvedSharpCase(const Scale& scale);
 /// Refraction with every coefficient's grid in the file, 0 all over.
 Case emptyGridsCase(const Scale& scale, const std::string& kernel);
 

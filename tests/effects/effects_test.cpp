@@ -69,14 +69,27 @@ TEST_F(Effects, AbsentFromTheViewKernelTheyCostNothing) {
     expectAllFree(straightViewCase(kSmall), straightViewCuts());
 }
 
+TEST_F(Effects, AbsentFromTheSharpKernelTheyCostNothing) {
+    expectAllFree(sharpCases(kSmall)[0], sharpCuts());
+    expectAllFree(curvedSharpCase(kSmall), curvedSharpCuts());
+}
+
 TEST_F(Effects, AbsentFromThePhotonKernelTheyCostNothing) {
     expectAllFree(photonCases(kSmall)[0], photonCuts());
     expectAllFree(straightPhotonCase(kSmall), straightPhotonCuts());
 }
 
+// Sharp boundaries have a kernel of their own: in the other nothing is left of them to cut.
+TEST_F(Effects, BlurredBoundariesKnowNothingOfSharpOnes) {
+    const std::string text = gpu::loadShader(kViewKernel, {}).text;
+    for (const char* name : {"SurfaceParams", "distances", "clearance", "partAt", "SOLIDS"})
+        EXPECT_EQ(text.find(name), text.npos) << name;
+}
+
 // A grid that is 0 all over asks for nothing: the same switches, not a byte more.
 TEST_F(Effects, AbsentTheyTakeNoMemory) {
-    for (const auto& scene : {viewCases(kSmall)[0], photonCases(kSmall)[0]}) {
+    for (const auto& scene :
+         {viewCases(kSmall)[0], sharpCases(kSmall)[0], photonCases(kSmall)[0]}) {
         const std::uint64_t bytes = peakBytesOf(scene);
         const gpu::Switches switches = lastVariant(scene.kernel).switches;
         EXPECT_EQ(peakBytesOf(emptyGridsCase(kSmall, scene.kernel)), bytes) << scene.kernel;
@@ -88,7 +101,7 @@ TEST_F(Effects, AbsentTheyTakeNoMemory) {
 // environment map and AOVs' names are no switches of their own.
 TEST_F(Effects, EveryRowHasItsOwnVariant) {
     gpu::Device device({gpu::DeviceChoice::Kind::software});
-    for (const auto& cases : {viewCases(kSmall), photonCases(kSmall)}) {
+    for (const auto& cases : {viewCases(kSmall), sharpCases(kSmall), photonCases(kSmall)}) {
         std::vector<gpu::Switches> seen;
         for (const Case& one : cases) {
             one.run(device);

@@ -143,12 +143,16 @@ Json measure(const Scale& scale, int rounds, const std::string& work) {
     results["rounds"] = rounds;
     results["price_rounds"] = std::max(5, rounds / 4);
     const int few = results["price_rounds"];
-    const std::vector<Case> views = viewCases(scale), photons = photonCases(scale);
+    const std::vector<Case> views = viewCases(scale), sharp = sharpCases(scale),
+                            photons = photonCases(scale);
     results["view"] = measurePrices(views, few, work);
+    results["sharp"] = measurePrices(sharp, few, work);
     results["photon"] = measurePrices(photons, few, work);
     results["absent"] = {
         measureAbsence(views[0], viewCuts(), rounds, work + "/view"),
         measureAbsence(straightViewCase(scale), straightViewCuts(), rounds, work + "/view"),
+        measureAbsence(sharp[0], sharpCuts(), rounds, work + "/sharp"),
+        measureAbsence(curvedSharpCase(scale), curvedSharpCuts(), rounds, work + "/sharp"),
         measureAbsence(photons[0], photonCuts(), rounds, work + "/photons"),
         measureAbsence(straightPhotonCase(scale), straightPhotonCuts(), rounds, work + "/photons")};
     return results;

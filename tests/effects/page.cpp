@@ -166,6 +166,11 @@ std::string pageOf(const Json& r) {
     page += priceTable(r["view"], "to refraction is added", false);
     page += priceTable(r["view"], "rays are traced by", true);
     page +=
+        "Looking at a ball of the same size within a sharp boundary, by pixel. What is in it is in "
+        "it alone; where its index varies it is a Luneburg lens of glass.\n\n";
+    page += priceTable(r["sharp"], "to refraction is added", false);
+    page += priceTable(r["sharp"], "rays between boundaries are traced by", true);
+    page +=
         "Lighting, by photon. Media are thin, and dense or opaque only in a corner, so that all "
         "photons go all the way: what is priced is the kernel. Scattering dims and stores as "
         "absorption does. Resolving and smoothing what was stored is not counted.\n\n";
@@ -176,8 +181,9 @@ std::string pageOf(const Json& r) {
              "effect had never been written: no more than %.0f %% beside it. Here the code of "
              "each is cut out of the kernel's text: the branches it needs, what only they call "
              "and read, and its members of structs; identifiers that are left, or passages that "
-             "are no longer found, are errors ([cuts.cpp](../tests/effects/cuts.cpp)). *Time* is "
-             "the full text's to that of the text without, the median over %d rounds in turns; "
+             "are no longer found, are errors ([cuts.cpp](../tests/effects/cuts.cpp), "
+             "[sharp_cuts.cpp](../tests/effects/sharp_cuts.cpp)). *Time* is the"
+             " full text's to that of the text without, the median over %d rounds in turns; "
              "*fastest* is the ratio of both texts' fastest runs, to which whatever else the "
              "machine does adds least. "
              "`test_effects` holds pixels and fluence to the same bits, and the instructions.\n\n",
@@ -185,7 +191,8 @@ std::string pageOf(const Json& r) {
     page += verdict(r["absent"]);
     for (const Json& part : r["absent"]) page += absenceTable(part);
     page += "In memory an absent effect takes nothing: a file whose grids are all 0 gets the same "
-            "switches and the same bytes as one without them (`test_effects`).\n";
+            "switches and the same bytes as one without them (`test_effects`). Sharp boundaries have a "
+            "kernel of their own: of them blurred ones have nothing to be cut.\n";
     return page;
 }
 

@@ -1,6 +1,7 @@
 # The price list of effects: `effects` measures it, test_effects holds what needs no clock.
 add_library(effects_parts STATIC effects/tokens.cpp effects/fold.cpp effects/prune.cpp
-            effects/cut.cpp effects/cuts.cpp effects/variant.cpp effects/cases.cpp)
+            effects/cut.cpp effects/cuts.cpp effects/sharp_cuts.cpp effects/variant.cpp
+            effects/cases.cpp)
 target_link_libraries(effects_parts PUBLIC libcore)
 target_include_directories(effects_parts SYSTEM PUBLIC ${JSON_INCLUDE})
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "effects.h"
 
+#include "tokens.h"
+
 #include <cstdlib>
 #include <epoxy/gl.h>
 #include <filesystem>
@@ -43,7 +45,7 @@ eikonal::gpu::Switches switchesOf(const std::string& text) {
 
 void noteProgram(GLuint program) {
     const eikonal::gpu::Switches switches = switchesOf(lastSource);
-    for (const char* kernel : {kViewKernel, kPhotonKernel}) {
+    for (const char* kernel : {kViewKernel, kSharpKernel, kPhotonKernel}) {
         if (eikonal::gpu::loadShader(kernel, switches).text != lastSource) continue;
         GLint bytes = 0;
         glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &bytes);
@@ -64,6 +66,17 @@ void EPOXY_CALLSPEC linkSeen(GLuint program) {
     epoxy_glLinkProgram(program);
     watchPrograms();
     noteProgram(program);
+}
+
+/// glslang takes every `.length` for the method of arrays: as a member it goes by another name.
+std::string forGlslang(const std::string& text) {
+    Tokens tokens = tokensOf(text);
+    for (size_t i = 1; i + 1 < tokens.size(); ++i) {
+        const bool member = tokens[i - 1] == "." && !(tokens[i + 1] == "(");
+        const bool declared = tokens[i - 1] == "float" && tokens[i + 1] == ";";
+        if (tokens[i] == "length" && (member || declared)) tokens[i].text = "length_";
+    }
+    return textOf(tokens);
 }
 
 bool runs(const std::string& command) {
@@ -93,7 +106,7 @@ std::optional<Instructions> instructionsOf(const std::string& text, const std::s
     if (const auto known = counted.find(text); known != counted.end()) return known->second;
     std::filesystem::create_directories(work);
     const std::string base = "'" + work + "/kernel";
-    std::ofstream(work + "/kernel.comp") << text;
+    std::ofstream(work + "/kernel.comp") << forGlslang(text);
     if (!runs("glslangValidator -G -S comp -o " + base + ".spv' " + base + ".comp'") ||
         !runs("spirv-opt -O " + base + ".spv' -o " + base + ".opt.spv'") ||
         !runs("spirv-dis " + base + ".opt.spv' -o " + base + ".txt'"))
