@@ -1,14 +1,17 @@
 # The demo's mesh, materials and surroundings, shared by the picture and the animation.
 # SPDX-License-Identifier: GPL-3.0-or-later
 DATA       ?= data
-RESOLUTION ?= 128
-BUNNY := $(DATA)/bunny.off
+RESOLUTION ?= 160
+BUNNY  := $(DATA)/bunny.off
+PLINTH := $(OUT)/plinth.obj
 
-# Amber glass in thin haze: what is behind the bunny is bent, dimmed by length and colour, and its
-# shadow and caustics show in the air.
-BUNNY_VOLUME := --ior 1.4 --absorption 0.25,0.9,1.5 --medium-scattering 0.2 \
-                --bounds=-0.95,-1.0,-0.5,0.95,0.6,0.5 --resolution $(RESOLUTION)
-BUNNY_VIEW   := --eye 0.1,0.25,3.4 --target 0.02,-0.2,0 --fov 22.5 --tone filmic --exposure=0.2
+# Amber glass on a pale plinth: what is behind the bunny is bent, mirrored and dimmed by length and
+# colour, and its shadow is full of caustics. The bunny stands 0.003 deep in the plinth, which rules
+# there as the later of the two.
+BUNNY_VOLUME := --ior 1.45 --ior 1 --absorption 0.2,0.9,1.9 --absorption 0 --opacity 0 --opacity 1 \
+                --albedo 0 --albedo 0.6,0.57,0.53 --bounds=-1,-0.6,-0.68,1,0.55,0.68 \
+                --resolution $(RESOLUTION)
+BUNNY_VIEW   := --eye 0.7,1.2,3.4 --target 0.04,-0.11,0 --fov 22.5 --tone filmic --exposure=0.5
 STUDIO       := $(OUT)/studio.exr
 
 # The 75,408-triangle Stanford bunny of Debian's CGAL demos. Slim images drop /usr/share/doc on
@@ -30,3 +33,10 @@ $(STUDIO):
 	  --fill:color=3.0,2.8,2.5 80x40+150+30 --fill:color=1.2,1.5,2.0 30x110+350+60 \
 	  --fill:color=0.035,0.03,0.025 512x40+0+140 --blur 7x7 -d float -o $(@D)/.studio.exr
 	mv $(@D)/.studio.exr $@
+
+# A box, 0.07 high.
+$(PLINTH): pipelines/bunny_scene.mk
+	@mkdir -p $(@D)
+	awk 'BEGIN { split("-0.95,-0.56,-0.62,0.95,-0.49,0.62", b, ","); \
+	  for (i = 0; i < 8; ++i) print "v", b[i % 2 * 3 + 1], b[int(i / 2) % 2 * 3 + 2], b[int(i / 4) * 3 + 3]; \
+	  print "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" }' >$@

@@ -17,14 +17,14 @@ default: $(ALL:%=$(WORK)/frame_%.png)
 .SECONDARY:
 include pipelines/bunny_scene.mk
 
-$(WORK)/volume.vdb: $(BUNNY)
+$(WORK)/volume.vdb: $(BUNNY) $(PLINTH)
 	@mkdir -p $(@D)
-	$(BIN)/mesh2vol $< -o $@ $(BUNNY_VOLUME)
+	$(BIN)/mesh2vol $^ -o $@ $(BUNNY_VOLUME)
 
 # From the left to the right: sideways part −0.8 to 0.8, power as in the still picture.
 $(WORK)/light_%.vdb: $(WORK)/volume.vdb
 	$(BIN)/lightsim $< -o $@ --photons $(PHOTONS) --light directional:$$(awk -v k=$* \
-	  'BEGIN {print 1.6 * (k - 1) / ($(FRAMES) > 1 ? $(FRAMES) - 1 : 1) - 0.8}'),-1,-0.05:14,13,11.5
+	  'BEGIN {print 1.6 * (k - 1) / ($(FRAMES) > 1 ? $(FRAMES) - 1 : 1) - 0.8}'),-1,-0.15:3.2,3,2.7
 
 $(WORK)/frame_%.exr $(WORK)/frame_%.png &: $(WORK)/light_%.vdb $(STUDIO)
 	$(BIN)/render $< -o $(WORK)/frame_$*.exr -o $(WORK)/frame_$*.png $(BUNNY_VIEW) --size $(SIZE) \
