@@ -27,8 +27,3 @@ void keepPassage(uint id, Passage p) {
 float chanceOf(uint bits) {
     return (float(bits >> 9u) + 0.5) * 1.1920928955078125e-7;
 }
-
-float indexOf(int region, vec3 x) {
-    return kField > 0 && surfaces.regions[region].index.y == 1.0 ? indexAt(x)
-                                                                 : surfaces.regions[region].index.x;
-}

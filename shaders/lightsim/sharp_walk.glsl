@@ -71,7 +71,7 @@ void walkClear(inout Flight flight, inout Carried carried, uint last) {
     float longest = 1.0e6; // adaptive: dτ [voxel]
     bool clear = bendsIn(region);
     while (clear) {
-        float free = leapOf(abs(clearanceAt(flight.ray.x)));
+        float free = leapBy(abs(clearanceAt(flight.ray.x)));
         Step made = stepFrom(flight.ray.x, flight.ray.w, sampled, longest);
         clear = wayOf(flight.ray, made).length < free;
         if (clear) {
@@ -101,6 +101,7 @@ Meeting walkOn(inout Flight flight, inout Carried carried) {
     vec3 direction = normalize(ray.w);
     float toFace = timeToLeave(ray.x, direction, centre - halfSize, centre + halfSize);
     Way way = straightWay(ray.x, direction, max(toFace, 1.0e-6));
+    Meeting met;
     Step made;
     vec4 sampled = vec4(0.0);
     if (kPath > kStraight && bends) {
@@ -108,8 +109,10 @@ Meeting walkOn(inout Flight flight, inout Carried carried) {
         made = stepFrom(ray.x, ray.w, sampled, 1.0e6);
         way = wayOf(ray, made);
         if (kPath > kVerlet) flight.error += made.leap.off;
+        met = meet(way, flight.passage.inside, flight.passage.departs);
+    } else {
+        met = meetStraight(ray.x, direction, way.length, flight.passage.inside, flight.passage.departs);
     }
-    Meeting met = meet(way, flight.passage.inside, flight.passage.departs);
     vec3 next = clamp(placeOn(way, met.s), centre - halfSize, centre + halfSize);
     leave(carried, region, ray.x, next - ray.x);
     flight.steps += 1u + uint(met.looks);

@@ -7,6 +7,8 @@
 #include "shared/surface_params.h"
 #include "lib/box.glsl"
 #include "lib/dip.glsl"
+#include "lib/ray.glsl"
+#include "medium/sample.glsl"
 #include "medium/spline.glsl"
 
 #ifndef SOLIDS
@@ -47,7 +49,7 @@ float clearanceAt(vec3 x) {
 }
 
 // How far a leap may go where the clearance from this side is that.
-float leapOf(float free) {
+float leapBy(float free) {
     return free - (free < kFar ? kRough : kFarRough);
 }
 
@@ -83,6 +85,12 @@ uint insideAt(vec3 x) {
 // The region that rules where these solids are.
 int regionOf(uint inside) {
     return findLSB(inside | (1u << kSolids));
+}
+
+// The index of a region at x.
+float indexOf(int region, vec3 x) {
+    return kField > 0 && surfaces.regions[region].index.y == 1.0 ? indexAt(x)
+                                                                 : surfaces.regions[region].index.x;
 }
 
 // +1 outside the solid, −1 inside: turns its distance into that from this side.
@@ -164,7 +172,7 @@ Meeting meet(Way way, uint inside, float departs) {
                 last = free < kFar ? free : -1.0;
                 s = trial;
                 known = 0u;
-                trial = min(s + leapOf(free), way.length);
+                trial = min(s + leapBy(free), way.length);
                 walking = s < way.length;
                 leaping = walking && met.looks < kMostLooks;
             } else if (kSolids == 1 && last > 0.0 && free > -kRough && trial < way.length) {

@@ -1,11 +1,6 @@
 // What a viewing ray gathers within an object, or around them all.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-float indexOf(int region, vec3 x) {
-    return kField > 0 && surfaces.regions[region].index.y == 1.0 ? indexAt(x)
-                                                                 : surfaces.regions[region].index.x;
-}
-
 // A piece of length ds [voxel] round x.
 void gatherPiece(inout Seen seen, inout Branch branch, int region, vec3 x, vec3 direction, float n,
                  float ds) {

@@ -64,11 +64,11 @@ Meeting walkBent(inout Seen seen, inout Branch branch, int region, vec3 centre, 
     vec4 first = kPath == kAdaptive ? fieldAt(branch.ray.x) : vec4(0.0);
     bool walking = true;
     while (walking) {
-        float free = leapOf(abs(clearanceAt(branch.ray.x)));
+        float free = leapBy(abs(clearanceAt(branch.ray.x)));
         if (kPath == kVerlet && ending == kOn) {
             int rounds = int(free / params.sharp.z);
             if (rounds > 1) runClear(seen, branch, region, rounds, centre, halfSize);
-            free = leapOf(abs(clearanceAt(branch.ray.x)));
+            free = leapBy(abs(clearanceAt(branch.ray.x)));
         }
         Advance step = advanceBy(branch.ray, first, tau);
         ++seen.steps;
