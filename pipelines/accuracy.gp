@@ -10,7 +10,7 @@ set logscale xy
 set format y "10^{%L}"
 
 # Every plot is drawn for the page, and as SVG and PNG beside the rows.
-plots = "rays photons voxels steps"
+plots = "rays sharp photons voxels steps"
 do for [plot in plots] {
     do for [kind in "page svg png"] {
         if (kind eq "png") {
@@ -34,6 +34,17 @@ do for [plot in plots] {
                      offset 0.6,0.3 font ",9" notitle, \
                  work."/rays.csv" every ::1::1 using 2:3:1 with labels left offset 0.8,0 \
                      font ",9" notitle
+            set xtics auto
+        }
+        if (plot eq "sharp") {
+            set xlabel "time of the view pass [ms]"
+            set ylabel "rms error of directions at half the radius [degree]"
+            set format x "%g"
+            stats work."/sharp.csv" using 1:2 nooutput
+            set xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
+            half = STATS_blocks/2 # blurred, then sharp, in as many sizes
+            plot for [i=0:STATS_blocks-1] work."/sharp.csv" index i using 1:2 \
+                     with points pt (i < half ? 6 : 7) lc i%half+1 lw 2 title columnheader(1)
             set xtics auto
         }
         if (plot eq "photons") {

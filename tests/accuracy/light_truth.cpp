@@ -1,8 +1,9 @@
 // Photons against paper: a slab, a point light, the caustic of a ball.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../sharp/glass_volume.h"
 #include "light.h"
 
-#include "judge/snell.h"
+#include <algorithm>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -66,15 +67,15 @@ Json measurePoint(Bench& bench, std::int64_t photons) {
 }
 
 /// Weights 1 2 1 along every axis, edges clamped: what --smoothing 1 does.
-std::vector<float> smoothed(std::vector<float> values, int voxels) {
+std::vector<float> smoothed(std::vector<float> values, const glm::ivec3& size) {
     for (int axis = 0; axis < 3; ++axis) {
         const std::vector<float> before = values;
         size_t i = 0;
-        forEachVoxel(glm::ivec3(voxels), [&](glm::ivec3 p) {
+        forEachVoxel(size, [&](glm::ivec3 p) {
             const auto at = [&](int shift) {
                 glm::ivec3 q = p;
-                q[axis] = std::clamp(q[axis] + shift, 0, voxels - 1);
-                return before[(static_cast<size_t>(q.z) * voxels + q.y) * voxels + q.x];
+                q[axis] = std::clamp(q[axis] + shift, 0, size[axis] - 1);
+                return before[(static_cast<size_t>(q.z) * size.y + q.y) * size.x + q.x];
             };
             values[i++] = 0.25f * (at(-1) + 2 * at(0) + at(1));
         });
@@ -107,7 +108,7 @@ Json measureCaustic(Bench& bench, int voxels, double sigma, const Setting& trace
     params.smoothing = 1;
     params.stepMin = 0.5;
     const Lit lit = light(bench, hazyBall(voxels, sigma, false).volume(), params);
-    const auto wanted = smoothed(snellFluence(bench, voxels), voxels);
+    const auto wanted = smoothed(snellFluence(bench, voxels), glm::ivec3(voxels));
     const double h = 64.0 / voxels;
     const dvec3 down = slantingLight().vector;
     const auto behind = [&](size_t i) {
@@ -118,6 +119,54 @@ Json measureCaustic(Bench& bench, int voxels, double sigma, const Setting& trace
     };
     return {{"error", relativeRms(lit.fluence, wanted)},
             {"behind", relativeRms(lit.fluence, wanted, behind)},
+            {"ms", lit.ms}};
+}
+
+/// The plane of voxels at height `y` of a slab or box.
+std::vector<float> planeAt(const std::vector<float>& values, const glm::ivec3& size, int y) {
+    std::vector<float> plane;
+    size_t i = 0;
+    forEachVoxel(size, [&](glm::ivec3 p) {
+        if (p.y == y) plane.push_back(values[i]);
+        ++i;
+    });
+    return plane;
+}
+
+/// Three planes of voxels about height `y` under a ball of glass, all reflections in them; made
+/// once per size. Photons so many to a voxel that their own error, smallest where light is dense,
+/// does not count.
+std::vector<float> beamFluence(Bench& bench, const judge::Glass& glass, const dvec3& direction,
+                               int voxels, int y) {
+    return kept(bench.work, {{"part", "beam"}, {"voxels", voxels}}, [&] {
+        const judge::Grid slab{{0, y - 1, 0}, 1, {voxels, 3, voxels}};
+        const double disc = 4.5 * voxels * voxels; // about what photons start over [voxel²]
+        std::vector<float> values;
+        for (const double value :
+             judge::beamFluence(glass, {.direction = direction, .photons = 200 * disc}, slab))
+            values.push_back(static_cast<float>(value));
+        return values;
+    });
+}
+
+/// A sun aslant through a ball of glass with a sharp boundary, radius 0.5 in a box of 1.6 units:
+/// the plane 0.75 below its centre, after one round of smoothing on both sides.
+Json measureSharpLight(Bench& bench, int voxels, int power) {
+    const double h = 1.6 / voxels;
+    const dvec3 centre(0.71, 1.02, 0.76), sun = glm::normalize(dvec3(0.3, -1, 0.15));
+    const int y = static_cast<int>((centre.y - 0.75) / h);
+    const judge::Glass glass{{judge::glassBall(centre / h, 0.5 / h, 1.5)}};
+    lightsim::Params params =
+        lightParams({lightsim::Light::Kind::directional, sun, dvec3(1)}, std::int64_t{1} << power);
+    params.tracing.boundary = optics::Boundary::sharp;
+    params.smoothing = 1;
+    const Lit lit = light(
+        bench, sharp::volumeOf(glass, {.size = glm::ivec3(voxels), .voxelSize = h, .halfWidth = 6}),
+        params);
+    const glm::ivec3 slab(voxels, 3, voxels);
+    const auto wanted = smoothed(beamFluence(bench, glass, sun, voxels, y), slab);
+    return {{"error",
+             relativeRms(planeAt(lit.fluence, glm::ivec3(voxels), y), planeAt(wanted, slab, 1))},
             {"ms", lit.ms}};
 }
 
@@ -137,6 +186,9 @@ void addTruthTasks(Bench& bench, std::vector<Task>& tasks) {
         add({{"part", "point"}, {"photons", photons}}, "point light" + many,
             [&bench, photons] { return measurePoint(bench, photons); });
     }
+    const int size = bench.full ? 128 : 64, power = bench.full ? 24 : 20;
+    add({{"part", "sharp light"}, {"voxels", size}, {"power", power}}, "sharp: light under a ball",
+        [&bench, size, power] { return measureSharpLight(bench, size, power); });
     const std::int64_t photons = bench.full ? 1 << 20 : 1 << 17;
     std::vector<int> sizes{32, 64};
     if (bench.full) sizes.push_back(128);

@@ -29,7 +29,7 @@ void run(const std::string& work, const std::string& json, const std::string& pa
         {"library", libraryVersion()}, {"device", device.info().renderer}, {"program", kProgram}};
     Bench bench{device, work, effort == "full", version};
     std::vector<Task> tasks;
-    for (const auto& part : {rayTasks, orderTasks, chainTasks, lightTasks})
+    for (const auto& part : {rayTasks, orderTasks, chainTasks, sharpTasks, glassTasks, lightTasks})
         for (Task& task : part(bench))
             if (task.label.find(only) != std::string::npos) tasks.push_back(std::move(task));
     const std::vector<Json> rows = runTasks(tasks, work + "/rows.jsonl");

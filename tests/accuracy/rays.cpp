@@ -35,6 +35,7 @@ view::Params paramsOf(const view::Camera& camera, const Setting& setting) {
     view::Params params;
     static_cast<optics::Tracing&>(params) = setting.tracing;
     params.camera = camera;
+    params.maxDepth = setting.maxDepth;
     return params;
 }
 

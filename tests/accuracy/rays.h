@@ -19,6 +19,7 @@ struct Bench {
 /// A way to trace rays, view rays and photons alike.
 struct Setting {
     eikonal::optics::Tracing tracing;
+    int maxDepth = 8; ///< sharp: most boundaries that a ray meets; in no name and no key
     std::string name() const;
     Json key() const;
 };
@@ -72,6 +73,12 @@ std::vector<Task> rayTasks(Bench& bench);
 
 /// How errors fall with the step and with the voxels, and whether they stay bounded.
 std::vector<Task> orderTasks(Bench& bench);
+
+/// A ball of glass, its edge blurred and sharp.
+std::vector<Task> sharpTasks(Bench& bench);
+
+/// Sharp boundaries against the judge, one number a bar.
+std::vector<Task> glassTasks(Bench& bench);
 
 /// A voxelised ball: smoothing width, supersampling, voxels.
 std::vector<Task> chainTasks(Bench& bench);

@@ -1,11 +1,10 @@
 // docs/accuracy.md, from the rows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
+#include "page.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <sstream>
 #include <thread>
@@ -13,36 +12,6 @@
 namespace accuracy {
 
 namespace {
-
-std::string number(double value, int digits = 2) {
-    char text[40];
-    if (value >= 100)
-        std::snprintf(text, sizeof text, "%.0f", value);
-    else if (value != 0 && std::abs(value) < 1e-2)
-        std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-    else
-        std::snprintf(text, sizeof text, "%.*g", std::max(digits, 3), value);
-    return text;
-}
-
-std::string share(double ratio) {
-    return ratio > 0 && ratio < 0.5 ? "1/" + number(1 / ratio) : number(ratio);
-}
-
-using Cells = std::vector<std::string>;
-
-void line(std::ostringstream& out, const Cells& cells) {
-    out << '|';
-    for (const std::string& cell : cells) out << ' ' << cell << " |";
-    out << '\n';
-}
-
-void head(std::ostringstream& out, const Cells& cells) {
-    line(out, cells);
-    out << '|';
-    for (size_t i = 0; i < cells.size(); ++i) out << "---|";
-    out << '\n';
-}
 
 /// A label of photons without their number, which stands last.
 std::string withoutNumber(const std::string& label) {
@@ -260,7 +229,8 @@ void writeLimits(std::ostringstream& out) {
         << "- A spline rings for some voxels round a kink in the index: in the clipped rod, whose "
            "rays stay three voxels away from the kink, linear samples are better.\n"
         << "- At an edge of 1.5 voxels the blur itself is off by more than any of the integrators: "
-           "finer steps find the exits of the blurred ball, not those of the ball.\n"
+           "finer steps find the exits of the blurred ball, not those of the ball. Sharp "
+           "boundaries have no edge.\n"
         << "- The means are of fields that suit a spline. A field of your own is judged by `--aov "
            "error`, and by halving the step.\n";
 }
@@ -276,6 +246,7 @@ std::string pageOf(const std::vector<Json>& rows, const Summary& summary, const 
     writeSettings(out, rows, summary);
     writeOrders(out, summary);
     writeChain(out, rows);
+    out << sharpSection(rows);
     writeLight(out, rows);
     writeLimits(out);
     return out.str();

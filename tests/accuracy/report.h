@@ -16,6 +16,13 @@ struct Summary {
 };
 Summary summarise(const std::vector<Json>& rows);
 
+void addBar(Summary& summary, const std::string& bar, const std::string& found, bool met);
+
+/// Sharp boundaries: their bars, their part of the page, error against time for the plot.
+void judgeSharp(Summary& summary, const std::vector<Json>& rows);
+std::string sharpSection(const std::vector<Json>& rows);
+std::string sharpCsv(const std::vector<Json>& rows);
+
 /// Least-squares slope of log y over log x.
 double slopeOf(const std::vector<double>& x, const std::vector<double>& y);
 /// Those rows of one part.

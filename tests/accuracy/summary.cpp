@@ -1,33 +1,23 @@
 // Means over the fields, the frontier, observed orders, and the bars.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "page.h"
 #include "report.h"
 
 #include "base/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace accuracy {
 
 namespace {
 
-std::string print(const char* format, double a, double b = 0) {
-    char text[200];
-    std::snprintf(text, sizeof text, format, a, b);
-    return text;
-}
-
 /// Errors near the first are of floats, above the second of rays that go quite another way [unit].
 constexpr double kFloatError = 3e-4, kAstray = 2;
 
 /// Some thousand steps, each rounding a place of some tens of voxels, leave so much [voxel].
 constexpr double kFloatsOfOrbits = 5e-4;
-
-void addBar(Summary& summary, const std::string& bar, const std::string& found, bool met) {
-    summary.bars.push_back({{"bar", bar}, {"found", found}, {"met", met}});
-}
 
 std::string settingOf(const Json& row) {
     const std::string label = row["label"];
@@ -280,6 +270,10 @@ void judgeNoise(Summary& summary, const std::vector<Json>& rows) {
 
 } // namespace
 
+void addBar(Summary& summary, const std::string& bar, const std::string& found, bool met) {
+    summary.bars.push_back({{"bar", bar}, {"found", found}, {"met", met}});
+}
+
 double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     const auto n = static_cast<double>(x.size());
@@ -306,6 +300,7 @@ Summary summarise(const std::vector<Json>& rows) {
     orderOfVoxels(summary, rows);
     judgeOrbits(summary, rows);
     judgeNoise(summary, rows);
+    judgeSharp(summary, rows);
     return summary;
 }
 

@@ -96,6 +96,7 @@ std::map<std::string, std::string> plotData(const std::vector<Json>& rows, const
     return {{"rays.csv", settingsCsv(summary.settings)},
             {"front.csv", settingsCsv(summary.frontier)},
             {"photons.csv", photonsCsv(rows)},
+            {"sharp.csv", sharpCsv(rows)},
             {"voxels.csv", voxelsCsv(rows)},
             {"steps.csv", stepsCsv(rows)}};
 }
