@@ -95,6 +95,22 @@ gpu::Texture makePages(gpu::Device& device, const Objects& objects, bool floorAt
     return texture;
 }
 
+// Samples round a solid's box that its spline is made from [voxel].
+constexpr int kSplineMargin = 4;
+
+/// The second difference of samples along an axis. Where walls are thin distances have a kink between
+/// both faces, which is not theirs to bend by: there it is the lesser of the neighbours'.
+float bendOf(const float* s, size_t stride) {
+    const auto at = [&](int i) { return s[i * static_cast<std::ptrdiff_t>(stride)]; };
+    const auto second = [&](int i) { return at(i - 1) - 2 * at(i) + at(i + 1); };
+    const float own = second(0);
+    const float kKink = 0.5f; // a ball of two voxels' radius has this
+    if (std::abs(own) <= kKink) return own;
+    const float before = second(-1), behind = second(1);
+    const float least = std::abs(before) < std::abs(behind) ? before : behind;
+    return std::abs(least) <= kKink ? least : 0.0f;
+}
+
 /// The box that all boundaries are in: a point of one is in a voxel whose centre is within kVoxel.
 std::pair<vec3, vec3> boundsOf(const Objects& objects) {
     ivec3 low = objects.size, high(-1);
@@ -181,7 +197,7 @@ Blocks farBlocks(ivec3 size, const std::vector<float>& nearest) {
 
 std::vector<float> coefficientsOf(const Solid& solid) {
     // Beyond its box a solid's distances go on linearly: it ends there only where the domain does.
-    const ivec3 size = solid.box.size(), outer = size + 6;
+    const ivec3 size = solid.box.size(), outer = size + 2 * kSplineMargin;
     std::vector<float> values(placeOf(outer, 0, 0, outer.z));
     const auto sample = [&](ivec3 p) {
         const ivec3 in = glm::clamp(p, ivec3(0), size - 1);
@@ -197,23 +213,21 @@ std::vector<float> coefficientsOf(const Solid& solid) {
     tbb::parallel_for(0, outer.z, [&](int z) {
         for (int y = 0; y < outer.y; ++y)
             for (int x = 0; x < outer.x; ++x)
-                values[placeOf(outer, x, y, z)] = sample(ivec3(x, y, z) - 3);
+                values[placeOf(outer, x, y, z)] = sample(ivec3(x, y, z) - kSplineMargin);
     });
-    // c = s − δ²s/6 along each axis: cubics through their samples, but for fourth differences / 36.
+    // c = s − δ²s/6 along each axis: cubics through their samples, but for fourth differences.
     const ivec3 inner = size + 4;
+    const std::array<size_t, 3> strides{1, static_cast<size_t>(outer.x),
+                                        static_cast<size_t>(outer.x) * outer.y};
     std::vector<float> result(placeOf(inner, 0, 0, inner.z));
-    const std::array<float, 3> weights{-1.0f / 6, 4.0f / 3, -1.0f / 6};
     tbb::parallel_for(0, inner.z, [&](int z) {
         for (int y = 0; y < inner.y; ++y)
             for (int x = 0; x < inner.x; ++x) {
-                float sum = 0;
-                for (int k = 0; k < 3; ++k)
-                    for (int j = 0; j < 3; ++j) {
-                        const float* row = values.data() + placeOf(outer, x, y + j, z + k);
-                        sum += weights[static_cast<size_t>(j)] * weights[static_cast<size_t>(k)] *
-                               (weights[0] * row[0] + weights[1] * row[1] + weights[2] * row[2]);
-                    }
-                result[placeOf(inner, x, y, z)] = sum;
+                const int in = kSplineMargin - 2;
+                const float* s = values.data() + placeOf(outer, x + in, y + in, z + in);
+                float c = *s;
+                for (size_t stride : strides) c -= bendOf(s, stride) / 6;
+                result[placeOf(inner, x, y, z)] = c;
             }
     });
     return result;
