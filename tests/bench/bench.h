@@ -35,7 +35,10 @@ void writeObj(const eikonal::mesh::TriangleMesh& mesh, const std::string& path);
 
 /// View and photon passes against the bare march and the bare atomic add, in this process.
 Json measureKernels(const Settings& settings);
-/// Fixed cost of every stage on 32³, and the share of reading and writing at 128³.
+/// Glass at 128³ with sharp boundaries against the same blurred: view and photon passes.
+Json measureSharp(const Settings& settings);
+/// Fixed cost of every stage on 32³, and at 128³ the shares of reading and writing and of
+/// distances; with blurred boundaries and with sharp ones.
 Json measureStages(const Settings& settings);
 /// Steps and error of the fluence under the octree's options, at 64³.
 Json measureSteps(const Settings& settings);

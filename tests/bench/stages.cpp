@@ -62,17 +62,23 @@ double work(const Json& stats) {
 
 const char* kCamera = " --eye 0.2,0.4,3.2 --target 0,0,0 --fov 28 --size ";
 
-/// The four commands on a mesh, as file names in the work folder.
+enum class Edge { blurred, sharp };
+
+/// The commands on a mesh, as file names in the work folder. Distances need no smoothing.
 std::vector<std::pair<std::string, std::string>> chain(const Settings& s, const std::string& mesh,
                                                        const std::string& volume,
-                                                       const std::string& photons,
+                                                       const std::string& photons, Edge edge,
                                                        const std::string& size = "640x480") {
     const std::string w = s.work + "/";
-    return {{"mesh2vol", mesh + " -o " + w + "a.vdb --ior 1.3 --medium-scattering 0.3 " + volume},
-            {"volsmooth", w + "a.vdb -o " + w + "b.vdb"},
-            {"lightsim",
-             w + "b.vdb -o " + w + "c.vdb --light directional:0.2,-1,0.1 --photons " + photons},
-            {"render", w + "c.vdb -o " + w + "d.exr" + kCamera + size}};
+    const bool sharp = edge == Edge::sharp;
+    std::vector<std::pair<std::string, std::string>> all{
+        {"mesh2vol", mesh + " -o " + w + "a.vdb --ior 1.3 --medium-scattering 0.3 --boundary " +
+                         (sharp ? "sharp " : "blurred ") + volume}};
+    if (!sharp) all.emplace_back("volsmooth", w + "a.vdb -o " + w + "b.vdb");
+    all.emplace_back("lightsim", w + (sharp ? "a" : "b") + ".vdb -o " + w +
+                                     "c.vdb --light directional:0.2,-1,0.1 --photons " + photons);
+    all.emplace_back("render", w + "c.vdb -o " + w + "d.exr" + kCamera + size);
+    return all;
 }
 
 struct Row {
@@ -80,9 +86,9 @@ struct Row {
 };
 
 Row runChain(const Settings& s, const std::string& mesh, const std::string& volume,
-             const std::string& photons) {
+             const std::string& photons, Edge edge = Edge::blurred) {
     Row row;
-    for (const auto& [tool, arguments] : chain(s, mesh, volume, photons)) {
+    for (const auto& [tool, arguments] : chain(s, mesh, volume, photons, edge)) {
         const Json stats = run(s, tool, arguments).stats;
         row.total += work(stats);
         row.rss = std::max(row.rss, stats["memory"]["rss_peak_bytes"].get<double>());
@@ -96,16 +102,18 @@ Row runChain(const Settings& s, const std::string& mesh, const std::string& volu
     return row;
 }
 
-} // namespace
+/// The passes that measure distances, and walls to plan them by.
+std::vector<std::string> distancePasses(const std::string& tool) {
+    if (tool == "mesh2vol") return {"plan", "sdf"};
+    return {};
+}
 
-Json measureStages(const Settings& s) {
-    Json result = Json::array();
-    const std::string mesh = s.work + "/ball.obj";
-    writeObj(bumpySphere(20000), mesh);
+/// Fixed costs, times and shares of each command.
+void addStages(const Settings& s, const std::string& mesh, Edge edge, Json& result) {
     // The driver's own cache of compiled shaders would hide what compiling costs.
     const std::string cold = "MESA_SHADER_CACHE_DISABLE=true __GL_SHADER_DISK_CACHE=0";
     std::vector<Json> fixed;
-    for (const auto& [tool, arguments] : chain(s, mesh, "--resolution 32", "1024", "64x48")) {
+    for (const auto& [tool, arguments] : chain(s, mesh, "--resolution 32", "1024", edge, "64x48")) {
         std::vector<double> compiled, cached;
         for (int i = 0; i < s.repeats; ++i) {
             compiled.push_back(run(s, tool, arguments, cold).wallMs);
@@ -114,24 +122,36 @@ Json measureStages(const Settings& s) {
         fixed.push_back({{"fixed_ms", median(compiled)}, {"fixed_cached_ms", median(cached)}});
     }
     size_t i = 0;
-    for (const auto& [tool, arguments] : chain(s, mesh, "--resolution 128", "1048576")) {
-        std::vector<double> wall, share, rss, device;
+    for (const auto& [tool, arguments] : chain(s, mesh, "--resolution 128", "1048576", edge)) {
+        std::vector<double> wall, share, distances, rss, device;
         for (int k = 0; k < std::max(1, s.repeats / 2); ++k) {
             const Run r = run(s, tool, arguments);
             wall.push_back(r.wallMs);
             share.push_back(pass(r.stats, volumePasses(tool)) / r.wallMs);
+            distances.push_back(pass(r.stats, distancePasses(tool)) / r.wallMs);
             rss.push_back(r.stats["memory"]["rss_peak_bytes"].get<double>());
             device.push_back(r.stats["memory"]["gpu_peak_bytes"].get<double>());
         }
         result.push_back({{"stage", tool},
+                          {"boundary", edge == Edge::sharp ? "sharp" : "blurred"},
                           {"fixed_ms_32", fixed[i]["fixed_ms"]},
                           {"fixed_cached_ms_32", fixed[i]["fixed_cached_ms"]},
                           {"wall_ms_128", median(wall)},
                           {"file_share_128", median(share)},
+                          {"distance_share_128", median(distances)},
                           {"rss_peak_bytes", median(rss)},
                           {"gpu_peak_bytes", median(device)}});
         ++i;
     }
+}
+
+} // namespace
+
+Json measureStages(const Settings& s) {
+    Json result = Json::array();
+    const std::string mesh = s.work + "/ball.obj";
+    writeObj(bumpySphere(20000), mesh);
+    for (const Edge edge : {Edge::blurred, Edge::sharp}) addStages(s, mesh, edge, result);
     return result;
 }
 
@@ -166,15 +186,17 @@ Json measureTables(const Settings& s) {
 
     Json table2 = Json::array();
     if (!s.bunny.empty()) {
-        const Row r = runChain(s, s.bunny, "--resolution 128 --cube", "1048576");
-        // What a change of the light costs: 003's frame of an interactive session.
-        const double frame = r.tracing + r.view;
-        table2.push_back({{"scene", "bunny"},
-                          {"triangles", 75408},
-                          {"photons", r.photons},
-                          {"million_steps", r.steps / 1e6},
-                          {"frames_per_second", 1e3 / frame},
-                          {"rss_peak_bytes", r.rss}});
+        for (const Edge edge : {Edge::blurred, Edge::sharp}) {
+            const Row r = runChain(s, s.bunny, "--resolution 128 --cube", "1048576", edge);
+            // What a change of the light costs: 003's frame of an interactive session.
+            const double frame = r.tracing + r.view;
+            table2.push_back({{"scene", edge == Edge::sharp ? "bunny, sharp" : "bunny, blurred"},
+                              {"triangles", 75408},
+                              {"photons", r.photons},
+                              {"million_steps", r.steps / 1e6},
+                              {"frames_per_second", 1e3 / frame},
+                              {"rss_peak_bytes", r.rss}});
+        }
     }
     return {{"table1", table1}, {"table2", table2}};
 }
