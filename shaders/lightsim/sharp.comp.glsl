@@ -22,7 +22,7 @@ layout(local_size_x = 64) in;
 #include "lightsim/deposit.glsl"
 #include "medium/sample.glsl"
 #include "lightsim/step.glsl"
-#include "medium/surface.glsl"
+#include "medium/meet.glsl"
 #include "medium/region.glsl"
 #include "lightsim/passage.glsl"
 #include "lightsim/sharp_walk.glsl"

@@ -1,8 +1,8 @@
 // What an object, or what surrounds them all, does to light on its way through.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Included behind medium/surface.glsl. Coefficients are a region's own: no look-up mixes them with those
-// beyond its boundary. Most are one number for all of it, and cost no look-up.
+// Included behind medium/surface.glsl. Coefficients are a region's own: no look-up mixes them with
+// those beyond its boundary. Most are one number for all of it, and cost no look-up.
 #ifndef VARIES
 #error VARIES must be 0 or 1
 #endif
@@ -33,8 +33,8 @@ Coefficients coefficientsAt(int region, vec3 x) {
     if (here.absorption.w >= 0.0) {
         vec3 at = (x + vec3(1.5, 1.5, 1.5 + here.absorption.w)) * surfaces.page.xyz;
         vec4 absorption = textureLod(absorptions, at, 0.0);
-        found = Coefficients(max(absorption.xyz, vec3(0.0)), textureLod(scatterings, at, 0.0).xyz, absorption.w,
-                             textureLod(emissions, at, 0.0).xyz);
+        found = Coefficients(max(absorption.xyz, vec3(0.0)), textureLod(scatterings, at, 0.0).xyz,
+                             absorption.w, textureLod(emissions, at, 0.0).xyz);
     }
 #endif
     return found;

@@ -33,7 +33,7 @@ layout(std430, binding = 0) buffer Colours { vec4 colours[]; };
 layout(std430, binding = 1) writeonly buffer Paths { PixelPath paths[]; };
 layout(std430, binding = 2) buffer Counters { uvec2 counters[]; }; // (low, high): see kSlots
 #include "medium/sample.glsl"
-#include "medium/surface.glsl"
+#include "medium/meet.glsl"
 #include "medium/region.glsl"
 // Both padded by one voxel.
 layout(binding = 3) uniform sampler3D lobes;   // light_direction in voxel space

@@ -42,9 +42,9 @@ void gatherStraight(inout Seen seen, inout Branch branch, int region, vec3 direc
 
 // Outward, at a point on a face of the domain.
 vec3 faceNormal(vec3 x) {
-    vec3 half_ = 0.5 * vec3(params.size.xyz);
-    vec3 off = x + 0.5 - half_;
-    vec3 left = half_ - abs(off);
+    vec3 halves = 0.5 * vec3(params.size.xyz);
+    vec3 off = x + 0.5 - halves;
+    vec3 left = halves - abs(off);
     float least = min(left.x, min(left.y, left.z));
     return left.x == least   ? vec3(sign(off.x), 0.0, 0.0)
            : left.y == least ? vec3(0.0, sign(off.y), 0.0)

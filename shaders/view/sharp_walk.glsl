@@ -9,9 +9,9 @@ Advance advanceBy(Ray ray, vec4 first, float tau) {
     if (kPath == kAdaptive) return embeddedStep(ray, first, tau);
     if (kPath == kRk4) return rk4Step(ray, tau);
     if (kPath == kEuler) {
-        vec4 field_ = fieldAt(ray.x);
-        Ray next = eulerStep(ray, field_, tau * field_.w);
-        return Advance(next, Ray(next.x - ray.x, next.w - ray.w), tau * field_.w * field_.w, field_,
+        vec4 sampled = fieldAt(ray.x);
+        Ray next = eulerStep(ray, sampled, tau * sampled.w);
+        return Advance(next, Ray(next.x - ray.x, next.w - ray.w), tau * sampled.w * sampled.w, sampled,
                        0.0, 0.0);
     }
     return sharmaStep(ray, tau);
@@ -35,18 +35,21 @@ void runClear(inout Seen seen, inout Branch branch, int region, int rounds, vec3
     Bend bend = bendAt(branch.ray.x, branch.ray.w);
     seen.opticalLength += verletOpticalEnd(branch.ray.w, bend.force, tau);
     branch.ray = toVerlet(branch.ray, bend.force, bend.change, tau);
-    for (int i = 0; i < rounds && !isOutside(branch.ray.x + tau * branch.ray.w, centre, halfSize); ++i) {
+    bool inside = !isOutside(branch.ray.x + tau * branch.ray.w, centre, halfSize);
+    for (int i = 0; i < rounds && inside; ++i) {
         Ray start = branch.ray;
         vec4 sampled = fieldAt(verletMiddle(start, tau));
         Ray end = verletStep(start, sampled, tau);
         float optical = verletOptical(start.w, end.w, tau);
         float ds = sqrt(optical * tau);
         if (kGathers)
-            gatherPiece(seen, branch, region, verletMiddle(start, tau), start.w / sampled.w, sampled.w, ds);
+            gatherPiece(seen, branch, region, verletMiddle(start, tau), start.w / sampled.w,
+                        sampled.w, ds);
         seen.opticalLength += optical;
         seen.pathLength += ds;
         branch.ray = end;
         ++seen.steps;
+        inside = !isOutside(end.x + tau * end.w, centre, halfSize);
     }
     bend = bendAt(branch.ray.x, branch.ray.w);
     branch.ray = fromVerlet(branch.ray, bend.force, bend.change, tau);
@@ -124,7 +127,8 @@ Meeting walkBent(inout Seen seen, inout Branch branch, int region, vec3 centre, 
     } else if (ending == kMeets) {
         vec4 found = distanceAt(met.solid, branch.ray.x);
         float slope = dot(found.xyz, normalize(branch.ray.w));
-        if (abs(found.w) < 0.1 * abs(slope)) branch.ray.x -= (found.w / slope) * normalize(branch.ray.w);
+        if (abs(found.w) < 0.1 * abs(slope))
+            branch.ray.x -= (found.w / slope) * normalize(branch.ray.w);
         met.gradient = found.xyz;
     }
     return met;
@@ -139,8 +143,8 @@ Meeting walkOn(inout Seen seen, inout Branch branch) {
         return walkBent(seen, branch, region, centre, halfSize);
     float n = surfaces.regions[region].index.x;
     vec3 d = normalize(branch.ray.w);
-    float length_ = timeToLeave(branch.ray.x, d, centre - halfSize, centre + halfSize);
-    Meeting met = meetStraight(branch.ray.x, d, length_, branch.inside, branch.departs);
+    float reach = timeToLeave(branch.ray.x, d, centre - halfSize, centre + halfSize);
+    Meeting met = meetStraight(branch.ray.x, d, reach, branch.inside, branch.departs);
     if (kGathers) gatherStraight(seen, branch, region, d, n, met.s);
     seen.steps += met.looks;
     seen.pathLength += met.s;
