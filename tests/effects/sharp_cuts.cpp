@@ -99,7 +99,7 @@ std::vector<Cut> curvedSharpCuts() {
     for (const char* name : {"kEuler", "kRk4", "kAdaptive"})
         cuts.back().constants.emplace_back(std::string("kPath == ") + name, false);
     dropErrors(cuts.back());
-    cuts.back().gone = {"kPath",   "PATH",    "kEuler",       "kRk4",      "kAdaptive",
+    cuts.back().gone = {"kPath",   "PATH",      "kEuler",       "kRk4",      "kAdaptive",
                         "rk4Step", "eulerStep", "embeddedStep", "noteError", "kRounding"};
     cuts.push_back({"cubic interpolation", k, {}});
     cuts.back().branches = {"FIELD == 2"};

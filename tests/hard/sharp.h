@@ -43,10 +43,10 @@ struct Bodies {
     std::vector<Body> all;
     double around = 1;
     glm::ivec3 size{32};
-    double voxelSize = 1;    ///< [unit]
+    double voxelSize = 1; ///< [unit]
     glm::dmat4 placed{1};
-    double halfWidth = 4;    ///< of the bands [voxel]
-    double scale = 1;        ///< of the distances: 1 is what they should be
+    double halfWidth = 4;                       ///< of the bands [voxel]
+    double scale = 1;                           ///< of the distances: 1 is what they should be
     std::function<double(glm::dvec3)> graded{}; ///< the index of the only body, where it varies
 
     /// One as `sdf` and a one-sided `ior`, several as `sdf.B0`, `ior.B0` and so on. What `more`
@@ -56,9 +56,9 @@ struct Bodies {
         const bool one = all.size() == 1;
         TestVolume scene(size, h, placed);
         scene.index(
-            [&](glm::dvec3 p) {
-                return !one ? around : graded ? graded(p / h) : all[0].index;
-            },
+            [&](glm::dvec3 p) { return !one     ? around
+                                       : graded ? graded(p / h)
+                                                : all[0].index; },
             around);
         if (more) more(scene);
         volume::Volume made = scene.take();
@@ -66,12 +66,12 @@ struct Bodies {
             const std::string name = one ? "" : "B" + std::to_string(i);
             volume::DenseGrid distances{size, 1, {}};
             forEachVoxel(size, [&](glm::ivec3 p) {
-                distances.values.push_back(static_cast<float>(
-                    h * scale * all[i].distance(glm::dvec3(p) + 0.5)));
+                distances.values.push_back(
+                    static_cast<float>(h * scale * all[i].distance(glm::dvec3(p) + 0.5)));
             });
-            made.putLevelSet({name, one ? "sdf" : "sdf." + name, all[i].priority,
-                              static_cast<int>(i)},
-                             {glm::ivec3(0), size - 1}, distances, halfWidth);
+            made.putLevelSet(
+                {name, one ? "sdf" : "sdf." + name, all[i].priority, static_cast<int>(i)},
+                {glm::ivec3(0), size - 1}, distances, halfWidth);
             if (!one)
                 made.putConstant(volume::ownGrid("ior", name),
                                  glm::vec3(static_cast<float>(all[i].index)));
@@ -97,12 +97,13 @@ inline view::Params alongTo(const glm::dvec3& d, const glm::dvec3& target, doubl
 
 /// One ray from where it says, within a domain or before it.
 inline view::Params rayFrom(const glm::dvec3& x, const glm::dvec3& d) {
-    return sharply(view::parallel(x, x + glm::normalize(d), 1e-6, {1, 1}, across(glm::normalize(d))));
+    return sharply(
+        view::parallel(x, x + glm::normalize(d), 1e-6, {1, 1}, across(glm::normalize(d))));
 }
 
-/// Fails unless no pixel is more than the sky, no ray was trapped, and what is missing of a sky of 1
-/// is what was dropped. `eye` is the index at the eye over that around. Where rays may be trapped,
-/// some of their light may be missing, too.
+/// Fails unless no pixel is more than the sky, no ray was trapped, and what is missing of a sky of
+/// 1 is what was dropped. `eye` is the index at the eye over that around. Where rays may be
+/// trapped, some of their light may be missing, too.
 inline void expectSkyButForDropped(const view::Look& look, double eye = 1, bool mayTrap = false) {
     double missing = 0, most = 0;
     for (int y = 0; y < look.picture.height; ++y)

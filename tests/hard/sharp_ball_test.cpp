@@ -32,8 +32,8 @@ struct Glass {
     std::pair<double, double> turnsAbout(double impact, double off) const {
         double low = 1e9, high = -1e9;
         // The turn is monotonous but where reflection becomes total and where the ball ends.
-        for (const double at : {impact - off, impact, impact + off, 1.0, 1 - 1e-12,
-                                inside / around, inside / around - 1e-12}) {
+        for (const double at : {impact - off, impact, impact + off, 1.0, 1 - 1e-12, inside / around,
+                                inside / around - 1e-12}) {
             if (std::abs(at - impact) > 1.000001 * off) continue;
             low = std::min(low, turn(at));
             high = std::max(high, turn(at));
@@ -60,8 +60,8 @@ TEST(HardSharpBall, AGrazingRayIsTurnedAsOneAHairAside) {
     // one that is 1e-3 voxels aside. So near to the rim itself less than a thousandth goes through,
     // and where to is a matter of rounding; that no light is made holds there, too.
     const double hair = 1e-3;
-    for (const Glass& glass : {Glass{1.5, 1}, Glass{1, 1.5}, Glass{2.42, 1}, Glass{4, 1},
-                               Glass{1.0001, 1}}) {
+    for (const Glass& glass :
+         {Glass{1.5, 1}, Glass{1, 1.5}, Glass{2.42, 1}, Glass{4, 1}, Glass{1.0001, 1}}) {
         SCOPED_TRACE(testing::Message() << glass.inside << " in " << glass.around);
         for (const double share : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
             for (const dvec3& d : kViews) {
@@ -151,16 +151,15 @@ TEST(HardSharpBall, ABallLargerThanTheDomainIsACurvedFaceInIt) {
         const Look look(bodies.volume(), params);
         expectSkyButForDropped(look);
         for (int i = 0; i < rays; ++i) {
-            const dvec3 eye = params.camera.eye +
-                              8 * (0.5 - (i + 0.5) / rays) *
-                                  (params.camera.up - glm::dot(params.camera.up, d) * d);
+            const dvec3 eye =
+                params.camera.eye + 8 * (0.5 - (i + 0.5) / rays) *
+                                        (params.camera.up - glm::dot(params.camera.up, d) * d);
             const double b = glm::dot(centre - eye, d);
             const dvec3 across_ = centre - eye - b * d;
             const dvec3 x = eye + (b - std::sqrt(radius * radius - glm::dot(across_, across_))) * d;
             const dvec3 normal = (x - centre) / radius;
             const double c = -glm::dot(d, normal);
-            const dvec3 wanted =
-                (d + c * normal - std::sqrt(1.5 * 1.5 - 1 + c * c) * normal) / 1.5;
+            const dvec3 wanted = (d + c * normal - std::sqrt(1.5 * 1.5 - 1 + c * c) * normal) / 1.5;
             // 0.01°: what is asked for. Distances of 10⁵ voxels are floats of band values alone.
             EXPECT_LT(radiansBetween(look.direction(0, i), wanted), 0.01 * kPi / 180);
         }
@@ -211,9 +210,9 @@ TEST(HardSharpBall, AbsorptionIsBeerAndLambertsAtAnyDepth) {
             const double inside = std::sqrt(1 - impact * impact / 2.25);
             const double through =
                 std::pow(fresnelThrough(1, 1.5, std::sqrt(1 - impact * impact)), 2);
-            for (const auto& [channel, share] :
-                 {std::pair("transmittance.R", 1.0), {"transmittance.G", 0.5},
-                  {"transmittance.B", 0.0}}) {
+            for (const auto& [channel, share] : {std::pair("transmittance.R", 1.0),
+                                                 {"transmittance.G", 0.5},
+                                                 {"transmittance.B", 0.0}}) {
                 const double x = share * depth * inside;
                 // Both refractions' Fresnel terms, 2e-5 by the slope of the boundary; a chord off
                 // by 1e-3 voxels; 6e-4 of what is left beyond a depth of 10, nothing beyond 16.

@@ -39,8 +39,8 @@ void expectSnell(const Plane& plane, double elevation, double back, double off) 
     const Look look(plane.volume(), params);
     expectSkyButForDropped(look, plane.n0 / plane.n1);
     EXPECT_EQ(look.counter("boundaries_met"), 1);
-    const dvec3 u = glm::normalize(plane.up), in = glm::normalize(params.camera.target -
-                                                                   params.camera.eye);
+    const dvec3 u = glm::normalize(plane.up),
+                in = glm::normalize(params.camera.target - params.camera.eye);
     const dvec3 out = look.direction();
     const double cosine = glm::dot(in, glm::normalize(in - glm::dot(in, u) * u));
     const auto normal2 = [&](double angle) { // (n1 sin elevation beyond)²

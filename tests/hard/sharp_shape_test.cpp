@@ -30,10 +30,10 @@ const Body kBox = boxBody({9, 9, 9}, {23, 23, 23});
 } // namespace
 
 TEST(HardSharpShape, WallsOfTwoVoxelsAndMoreArePlates) {
-    // The bar of the requirements from seven voxels on. A spline of the distance is felt three voxels
-    // off and more: in a thinner wall the crease in its middle turns its faces, each otherwise. What
-    // was found, by half as much again: a fiftieth of a degree for five, half of one to a whole for
-    // three, two to five at the least that a distance can tell.
+    // The bar of the requirements from seven voxels on. A spline of the distance is felt three
+    // voxels off and more: in a thinner wall the crease in its middle turns its faces, each
+    // otherwise. What was found, by half as much again: a fiftieth of a degree for five, half of
+    // one to a whole for three, two to five at the least that a distance can tell.
     for (const auto& [thickness, degrees] :
          {std::pair(9.0, 0.01), {7.0, 0.01}, {5.0, 0.03}, {3.0, 1.4}, {2.0, 8.0}})
         for (const dvec3& normal : {dvec3(0, 1, 0), dvec3(0.3, 1, 0.2), dvec3(1, 1, 1)})
@@ -41,10 +41,10 @@ TEST(HardSharpShape, WallsOfTwoVoxelsAndMoreArePlates) {
                 SCOPED_TRACE(testing::Message() << thickness << " voxels of " << n);
                 const dvec3 u = glm::normalize(normal);
                 const dvec3 d = glm::normalize(across(u) - 1.2 * u);
-                const Look look(Bodies{.all = {wall({24.2, 23.9, 24.1}, u, thickness, n)},
-                                       .size = ivec3(48)}
-                                    .volume(),
-                                alongTo(d, dvec3(24), 8, {5, 5}));
+                const Look look(
+                    Bodies{.all = {wall({24.2, 23.9, 24.1}, u, thickness, n)}, .size = ivec3(48)}
+                        .volume(),
+                    alongTo(d, dvec3(24), 8, {5, 5}));
                 expectSkyButForDropped(look);
                 for (int y = 0; y < 5; ++y)
                     for (int x = 0; x < 5; ++x) {
@@ -63,9 +63,8 @@ TEST(HardSharpShape, ThinnerWallsMakeNoLight) {
     for (const double thickness : {1.5, 1.0, 0.5, 0.1, 0.0, -0.5})
         for (const dvec3& normal : {dvec3(0, 1, 0), dvec3(0.3, 1, 0.2), dvec3(1, 1, 1)}) {
             SCOPED_TRACE(thickness);
-            const Look look(
-                Bodies{.all = {wall({16.2, 15.9, 16.1}, normal, thickness)}}.volume(),
-                alongTo({0.4, -1, 0.3}, dvec3(16), 24, {16, 16}));
+            const Look look(Bodies{.all = {wall({16.2, 15.9, 16.1}, normal, thickness)}}.volume(),
+                            alongTo({0.4, -1, 0.3}, dvec3(16), 24, {16, 16}));
             expectSkyButForDropped(look);
         }
 }
@@ -79,8 +78,7 @@ TEST(HardSharpShape, EdgesAndCornersTakeAnyRay) {
             for (const double height : {1e-3, 0.1, 6.0}) {
                 SCOPED_TRACE(testing::Message() << height << " along " << d.x << " " << d.y << " "
                                                 << d.z << " to " << target.x);
-                const Look look(Bodies{.all = {kBox}}.volume(),
-                                alongTo(d, target, height, {7, 7}));
+                const Look look(Bodies{.all = {kBox}}.volume(), alongTo(d, target, height, {7, 7}));
                 expectSkyButForDropped(look);
             }
     for (const double angle : {10.0, 45.0, 90.0}) {
@@ -115,9 +113,13 @@ TEST(HardSharpShape, EyesInObjectsAndOnTheirBoundaries) {
         dvec3 eye;
         bool within;
     };
-    for (const Place& place : {Place{{16, 16, 16}, true}, {{22.9, 16, 16}, true},
-                               {{9.01, 16, 17}, true}, {{23.01, 16, 16}, false},
-                               {{8.9, 8.9, 8.9}, false}, {{0, 0, 0}, false}, {{32, 5, 7}, false}})
+    for (const Place& place : {Place{{16, 16, 16}, true},
+                               {{22.9, 16, 16}, true},
+                               {{9.01, 16, 17}, true},
+                               {{23.01, 16, 16}, false},
+                               {{8.9, 8.9, 8.9}, false},
+                               {{0, 0, 0}, false},
+                               {{32, 5, 7}, false}})
         for (const dvec3& towards : {dvec3(16.2, 16.1, 40), dvec3(-3, 2, 5)}) {
             SCOPED_TRACE(testing::Message() << place.eye.x << " " << place.eye.y);
             const Look look(bodies.volume(), sharply(perspective(place.eye, towards, 70, {9, 9})));
@@ -232,24 +234,23 @@ TEST(HardSharpShape, TwelveLayersAndNoThirteenth) {
     const double n = twelve.all.back().index, along = std::hypot(d.x, d.z);
     double before = 1, through = 1;
     for (const Body& layer : twelve.all) {
-        through *= fresnelThrough(before, layer.index,
-                                  std::sqrt(1 - along * along / (before * before)));
+        through *=
+            fresnelThrough(before, layer.index, std::sqrt(1 - along * along / (before * before)));
         before = layer.index;
     }
     EXPECT_NEAR(look.at("transmittance.R"), through, 1e-4);
     const dvec3 wanted(d.x / n, -std::sqrt(1 - along * along / (n * n)), d.z / n);
     EXPECT_LT(radiansBetween(look.direction(), wanted), 0.01 * kPi / 180); // the bar
-    expectError(ExitStatus::data, {"13 objects", "at most 12"}, [&] {
-        Look(layers(13).volume(), params);
-    });
+    expectError(ExitStatus::data, {"13 objects", "at most 12"},
+                [&] { Look(layers(13).volume(), params); });
 }
 
 TEST(HardSharpShape, LongAndThinDomains) {
     // A wall across, and one all along.
     for (const ivec3& size : {ivec3(1000, 3, 3), ivec3(3, 3, 1000), ivec3(7, 300, 5)})
         for (int axis = 0; axis < 3; ++axis) {
-            SCOPED_TRACE(testing::Message() << size.x << " x " << size.y << " x " << size.z
-                                            << " along " << axis);
+            SCOPED_TRACE(testing::Message()
+                         << size.x << " x " << size.y << " x " << size.z << " along " << axis);
             dvec3 d(0.01, 0.013, -0.007);
             d[axis] = 1;
             dvec3 normal(0);
