@@ -92,8 +92,9 @@ BestBlur bestBlur(Bench& bench, const volume::Volume& covered, int voxels) {
 
 /// The ways take turns, so that a machine that slows down slows them all. What a first run costs
 /// more is no median.
-void timeAll(Bench& bench, std::vector<Way>& ways) {
-    const int pixels = bench.full ? 256 : 128, rounds = bench.full ? 5 : 3;
+void timeAll(Bench& bench, std::vector<Way>& ways, int voxels) {
+    const int pixels = bench.full ? 256 : 128;
+    const int rounds = bench.full || voxels <= 128 ? 5 : 3; // at 256³ making the field takes most
     const view::Camera camera = cameraAt(kBall, pixels, 2.1 * kBall.radius);
     for (int round = 0; round < rounds; ++round)
         for (Way& way : ways) {
@@ -120,7 +121,7 @@ Json measure(Bench& bench, int voxels) {
     ways.push_back({"sharp", "depth 8", &byFormula, toDepth(8)});
     if (byMesh) ways.push_back({"mesh", "depth 2", byMesh.get(), toDepth(2)});
     for (Way& way : ways) findErrors(bench, way);
-    timeAll(bench, ways);
+    timeAll(bench, ways, voxels);
 
     Json values{{"sigmas", best.tried}, {"ways", Json::array()}};
     for (const Way& way : ways)
