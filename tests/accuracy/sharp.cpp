@@ -54,7 +54,7 @@ void findErrors(Bench& bench, Way& way) {
 std::vector<double> sigmasOf(const Bench& bench, int voxels) {
     if (bench.full) return {0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3, 4, 6};
     if (voxels > 128) return {1, 1.5, 2};
-    return {0.75, 1, 1.5, 2, 3};
+    return {0.75, 1, 1.5, 2, 2.5, 3};
 }
 
 /// Ways to trace rays through the best blur.

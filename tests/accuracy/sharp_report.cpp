@@ -9,7 +9,7 @@ namespace accuracy {
 
 namespace {
 
-/// Tracing is as good as the blur lets it be where it adds no more than this to the error.
+/// Of blurred ways so near the least error the cheapest is the best.
 constexpr double kNoWorse = 1.05;
 
 double half(const Json& way) {
@@ -134,15 +134,16 @@ std::string sharpSection(const std::vector<Json>& rows) {
     std::ostringstream out;
     out << "## Sharp boundaries\n\n"
         << "A homogeneous ball of index 1.5, its radius 0.41 of the box, its centre off the "
-           "lattice, seen by parallel rays that it nearly fills the picture of. Errors are of the "
-           "direction behind the ball against Snell's law [degree], rms over all azimuths, at "
-           "impacts of 0.45 to 0.55 of the radius and of 0.94 to 0.96; times are of the view pass, "
-           "medians of rounds in which all ways take turns. The sources blur what "
-           "`--supersample 4` counts by σ 1.5; the best blur is that of what `--supersample 8` "
-           "counts whose rays, traced well, are off by the least at half the radius, drawn by the "
-           "cheapest tracing that adds no more than 5 % to it. The cheapest blurred way is listed "
-           "for its time. Sharp: distances of the formula, or where it says so of a mesh of "
-           "327,680 facets, through `mesh2vol`.\n\n";
+           "lattice, seen by parallel rays that it nearly fills the picture of. Errors are "
+           "of the direction behind the ball against Snell's law [degree], rms over all "
+           "azimuths, at impacts of 0.45 to 0.55 of the radius and of 0.94 to 0.96; times "
+           "are of the view pass, medians of rounds in which all ways take turns. The "
+           "sources blur what `--supersample 4` counts by σ 1.5; the best blur is that of "
+           "what `--supersample 8` counts whose rays, traced well, are off by the least at "
+           "half the radius, drawn by the cheapest tracing that comes within 5 % of the "
+           "least error of any. The cheapest blurred way is listed for its time. Sharp: "
+           "distances of the formula, or where it says so of a mesh of 327,680 facets, "
+           "through `mesh2vol`.\n\n";
     head(out, {"voxels", "edge, tracing", "error at half", "at the rim", "time [ms]", "to sources'",
                "to cheapest blurred"});
     for (const Json& row : partOf(rows, "sharp")) {
