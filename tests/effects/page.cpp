@@ -190,9 +190,10 @@ std::string pageOf(const Json& r) {
              100 * kGoal, r["rounds"].get<int>());
     page += verdict(r["absent"]);
     for (const Json& part : r["absent"]) page += absenceTable(part);
-    page += "In memory an absent effect takes nothing: a file whose grids are all 0 gets the same "
-            "switches and the same bytes as one without them (`test_effects`). Sharp boundaries have a "
-            "kernel of their own: of them blurred ones have nothing to be cut.\n";
+    page +=
+        "In memory an absent effect takes nothing: a file whose grids are all 0 gets the same "
+        "switches and the same bytes as one without them (`test_effects`). Sharp boundaries have a "
+        "kernel of their own: of them blurred ones have nothing to be cut.\n";
     return page;
 }
 
