@@ -50,6 +50,7 @@ void planSharp(Plan& plan, const volume::Volume& volume, const Params& params) {
     medium::requireConstants(objects, volume.path(), {{"reflectance", &Region::reflectance}});
     plan.index = medium::varyingIndex(objects, volume.path());
     plan.bends = plan.index.varies();
+    plan.warnings = medium::distanceWarnings(objects);
     plan.attenuates = anyHas(objects, &Region::absorption) || anyHas(objects, &Region::scattering);
     plan.colour = objects.any([](const Region& region) {
         return !region.absorption.grey() || !region.scattering.grey() || !region.reflectance.grey();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace eikonal::medium {
@@ -119,6 +120,27 @@ Region readRegion(const std::string& name, const Mask& mask, const Reader& read)
     return region;
 }
 
+/// The mean length of the gradient within two voxels of the boundary.
+float slopeOf(const Solid& solid) {
+    const ivec3 size = solid.box.size();
+    const auto at = [&](int x, int y, int z) {
+        return solid.distance[(static_cast<size_t>(z) * size.y + y) * size.x + x];
+    };
+    double sum = 0;
+    std::int64_t count = 0;
+    for (int z = 1; z + 1 < size.z; ++z)
+        for (int y = 1; y + 1 < size.y; ++y)
+            for (int x = 1; x + 1 < size.x; ++x) {
+                if (std::abs(at(x, y, z)) > std::min(2.0f, solid.band - 1.5f)) continue;
+                sum += static_cast<double>(
+                    glm::length(vec3(at(x + 1, y, z) - at(x - 1, y, z),
+                                     at(x, y + 1, z) - at(x, y - 1, z),
+                                     at(x, y, z + 1) - at(x, y, z - 1)) * 0.5f));
+                ++count;
+            }
+    return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 1.0f;
+}
+
 Solid readSolid(const volume::Volume& volume, const std::string& sdf, const volume::IndexBox& box) {
     const volume::DenseGrid dense = volume.dense(sdf, box);
     const auto h = static_cast<float>(volume.frame().voxelSize);
@@ -144,6 +166,7 @@ Solid readSolid(const volume::Volume& volume, const std::string& sdf, const volu
             for (int x = kept.min.x; x <= kept.max.x; ++x)
                 solid.distance.push_back(
                     dense.values[(static_cast<size_t>(z) * size.y + y) * size.x + x] / h);
+    solid.slope = slopeOf(solid);
     return solid;
 }
 

@@ -3,8 +3,10 @@
 #include "medium/regions.h"
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace eikonal::medium {
 
@@ -77,6 +79,17 @@ void requireConstants(const Objects& objects, const std::string& path,
                 throw DataError(path + ": grid '" + grid + "' of '" + region.name +
                                 "' varies, expected one value on each side of sharp boundaries "
                                 "(--boundary blurred takes any)");
+}
+
+std::vector<std::string> distanceWarnings(const Objects& objects) {
+    std::vector<std::string> warnings;
+    const float kSteep = 1.2f; // noise and creases stay below
+    for (size_t k = 0; k < objects.solids.size(); ++k)
+        if (objects.solids[k].slope > kSteep)
+            warnings.push_back("the signed distance of '" + objects.regions[k].name +
+                               "' grows by " + toText(std::round(objects.solids[k].slope * 100) / 100) +
+                               " a voxel, expected 1: rays may leap over its boundary");
+    return warnings;
 }
 
 bool anyHas(const Objects& objects, RegionValues values) {

@@ -23,6 +23,10 @@ Index varyingIndex(const Objects& objects, const std::string& path);
 void requireConstants(const Objects& objects, const std::string& path,
                       const std::vector<std::pair<const char*, RegionValues>>& grids);
 
+/// Says of each object whose distances are not distances: they grow by more than 1 a voxel, so that
+/// rays may leap over a boundary.
+std::vector<std::string> distanceWarnings(const Objects& objects);
+
 /// Whether some region has values that are not 0.
 bool anyHas(const Objects& objects, RegionValues values);
 /// Who has, in words.

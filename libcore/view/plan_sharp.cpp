@@ -22,6 +22,7 @@ void planSharp(Plan& plan, const Scene& scene) {
         return !region.absorption.grey() || !region.scattering.grey() ||
                !region.emission.grey() || !region.reflectance.grey();
     });
+    plan.warnings = medium::distanceWarnings(objects);
     const bool scatters = anyHas(objects, &Region::scattering);
     const bool lobes = anyHas(objects, &Region::anisotropy);
     plan.dims = scatters || anyHas(objects, &Region::absorption);

@@ -11,15 +11,16 @@ struct Parting {
 };
 
 // `w` arrives, |w| = n; `normal` is of length 1, on either side; `beyond` is the index on the far side.
+// n is given, since a length would lose what little two indices may differ by.
 // Born and Wolf, Principles of Optics, §1.5.2, eqs 20–21 and 31.
-Parting partAt(vec3 w, vec3 normal, float beyond) {
+Parting partAt(vec3 w, vec3 normal, float n, float beyond) {
     float across = dot(w, normal);
     float a = abs(across); // n_i cosθ_i
-    float n2 = dot(w, w);
+    float n2 = n * n;
     float beyond2 = beyond * beyond;
     vec3 along = w - across * normal;
     // (n_t cosθ_t)²: as a difference of the two indices it keeps its digits where they are close.
-    float square = (beyond - sqrt(n2)) * (beyond + sqrt(n2)) + a * a;
+    float square = (beyond - n) * (beyond + n) + a * a;
     float b = sqrt(max(square, 0.0));
     float s = (a - b) / max(a + b, 1.0e-20);
     float p = (beyond2 * a - n2 * b) / max(beyond2 * a + n2 * b, 1.0e-20);

@@ -73,7 +73,7 @@ void walkClear(inout Flight flight, inout Carried carried, uint last) {
     while (clear) {
         float free = leapBy(abs(clearanceAt(flight.ray.x)));
         Step made = stepFrom(flight.ray.x, flight.ray.w, sampled, longest);
-        clear = wayOf(flight.ray, made).length < free;
+        clear = wayOf(flight.ray, made).extent < free;
         if (clear) {
             if (kPath > kVerlet) {
                 longest = made.leap.longest;
@@ -111,7 +111,7 @@ Meeting walkOn(inout Flight flight, inout Carried carried) {
         if (kPath > kVerlet) flight.error += made.leap.off;
         met = meet(way, flight.passage.inside, flight.passage.departs);
     } else {
-        met = meetStraight(ray.x, direction, way.length, flight.passage.inside, flight.passage.departs);
+        met = meetStraight(ray.x, direction, way.extent, flight.passage.inside, flight.passage.departs);
     }
     vec3 next = clamp(placeOn(way, met.s), centre - halfSize, centre + halfSize);
     leave(carried, region, ray.x, next - ray.x);
@@ -120,7 +120,7 @@ Meeting walkOn(inout Flight flight, inout Carried carried) {
     flight.ray.x = next;
     if (kPath > kStraight && bends) {
         vec4 behind = fieldBehind(made, next, sampled);
-        flight.ray.w = met.solid >= 0 ? waveWithin(ray, made, sampled, met.s / way.length, next)
+        flight.ray.w = met.solid >= 0 ? waveWithin(ray, made, sampled, met.s / way.extent, next)
                                       : waveBehind(made, ray.w, sampled, behind);
     }
     return met;
@@ -148,19 +148,21 @@ void pass(inout Flight flight, inout Carried carried, Meeting met, uint id) {
     vec3 x = flight.ray.x;
     vec3 normal = met.gradient / max(length(met.gradient), 1.0e-20);
     vec3 forward = dot(flight.ray.w, normal) < 0.0 ? -normal : normal;
-    uint after = insideBeyond(flight.passage.inside, met.solid, x, forward);
+    uint after = insideBeyond(flight.passage.inside, met.solid, x, flight.ray.w, forward);
     int here = regionOf(flight.passage.inside);
     int there = regionOf(after);
-    if (here == there) { // within an object that rules both sides
-        flight.passage.inside = after;
-    } else if (kOpaqueSolids && isOpaque(there)) {
+    float n = indexOf(here, x);
+    float beyond = indexOf(there, x);
+    if (kOpaqueSolids && here != there && isOpaque(there)) {
         flight.fate = kStopped;
+    } else if (here == there || n == beyond) { // nothing parts at it
+        flight.passage.inside = after;
     } else if (flight.passage.met >= params.sharp.x) {
         flight.fate = kDeep;
     } else {
         ++flight.passage.met;
-        vec3 w = flight.ray.w * (indexOf(here, x) / length(flight.ray.w));
-        Parting parting = partAt(w, normal, indexOf(there, x));
+        vec3 w = flight.ray.w * (n / length(flight.ray.w));
+        Parting parting = partAt(w, normal, n, beyond);
         bool reflected = isReflected(flight.passage, parting.reflectance, id);
         flight.ray.w = reflected ? parting.reflected : parting.refracted;
         flight.passage.inside = reflected ? flight.passage.inside : after;

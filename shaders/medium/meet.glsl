@@ -12,13 +12,13 @@ const float kEnclosed = 2.0e-5; // a zero between points this close is at either
 const int kMostLooks = 8192;    // more than along a plate of the longest domain
 const float kTouch = 0.1;       // solids this close touch [voxel]
 
-// A piece of way, x at s in [0, length]: start + f (first + f (second + f third)), f = s / length.
+// A piece of way, x at s in [0, extent]: start + f (first + f (second + f third)), f = s / extent.
 struct Way {
     vec3 start;
     vec3 first;
     vec3 second;
     vec3 third;
-    float length; // [voxel]
+    float extent; // its length [voxel]
 };
 
 Way straightWay(vec3 x, vec3 direction, float length) {
@@ -33,15 +33,15 @@ Way curvedWay(Ray a, Ray b, float tau) {
 }
 
 vec3 placeOn(Way way, float s) {
-    float f = s / way.length;
+    float f = s / way.extent;
     if (kField == 0) return way.start + f * way.first;
     return way.start + f * (way.first + f * (way.second + f * way.third));
 }
 
 vec3 directionOn(Way way, float s) { // dx/ds, of length 1 or nearly
-    float f = s / way.length;
-    if (kField == 0) return way.first / way.length;
-    return (way.first + f * (2.0 * way.second + (3.0 * f) * way.third)) / way.length;
+    float f = s / way.extent;
+    if (kField == 0) return way.first / way.extent;
+    return (way.first + f * (2.0 * way.second + (3.0 * f) * way.third)) / way.extent;
 }
 
 // Where a way meets a boundary.
@@ -61,7 +61,7 @@ struct Meeting {
 // beyond a boundary in between. A zero is enclosed from there on. What starts beyond a boundary by
 // rounding or by less than kTouch, and comes back, has not met it.
 Meeting meet(Way way, uint inside, float departs) {
-    Meeting met = Meeting(way.length, -1, vec3(0.0), 0);
+    Meeting met = Meeting(way.extent, -1, vec3(0.0), 0);
     vec2 own[SOLIDS];    // distance from this side and its slope, at s
     float least[SOLIDS]; // how far beyond the boundary the way started
     for (int k = 0; k < kSolids; ++k) {
@@ -71,7 +71,7 @@ Meeting meet(Way way, uint inside, float departs) {
     float s = 0.0;       // known to be before any boundary
     float beyond = -1.0; // known to be behind one, if above s
     // One solid alone is left for good after a steep start: no boundary so soon.
-    float trial = kSolids == 1 && departs > 0.35 ? min(0.75, way.length) : 0.0;
+    float trial = kSolids == 1 && departs > 0.35 ? min(0.75, way.extent) : 0.0;
     uint known = 0u;     // the solids whose `own` is of s
     bool walking = true;
     while (walking) {
@@ -87,13 +87,13 @@ Meeting meet(Way way, uint inside, float departs) {
                 last = free < kFar ? free : -1.0;
                 s = trial;
                 known = 0u;
-                trial = min(s + leapBy(free), way.length);
-                walking = s < way.length;
+                trial = min(s + leapBy(free), way.extent);
+                walking = s < way.extent;
                 leaping = walking && met.looks < kMostLooks;
-            } else if (kSolids == 1 && last > 0.0 && free > -kRough && trial < way.length) {
+            } else if (kSolids == 1 && last > 0.0 && free > -kRough && trial < way.extent) {
                 // Close by: where the last two distances point to is a good place to look first.
                 float fall = (last - free) / (trial - s);
-                trial = min(trial + (fall > 0.2 ? free / fall : 0.0), way.length);
+                trial = min(trial + (fall > 0.2 ? free / fall : 0.0), way.extent);
             }
         }
         if (walking) {
@@ -127,14 +127,14 @@ Meeting meet(Way way, uint inside, float departs) {
             }
             float left = nearest.y < 0.0 ? -nearest.x / nearest.y : 1.0e9; // to go, or to go back
             bool hit = abs(left) < kClose && abs(left) * length(change) < kBent &&
-                       trial + left <= way.length;
+                       trial + left <= way.extent;
             bool enclosed = (over ? trial : beyond) - s < kEnclosed * (1.0 + 0.01 * s) &&
                             (over || beyond > s);
             if (hit || enclosed) {
                 // To second order, for a boundary that bends away from its tangent.
                 float bend = 0.5 * sideOf(inside, solid) * dot(change, d) / nearest.y;
                 float rest = hit ? left * (1.0 - clamp(left * bend, -0.1, 0.1)) : 0.0;
-                met.s = clamp(trial + rest, 0.0, way.length);
+                met.s = clamp(trial + rest, 0.0, way.extent);
                 met.solid = solid;
                 met.gradient = gradient + rest * change;
                 walking = false;
@@ -165,8 +165,8 @@ Meeting meet(Way way, uint inside, float departs) {
                                                                : max(here[k].x, 0.5));
                     trial = s + max(ahead, 1.0e-3);
                     if (beyond > s && trial >= beyond) trial = 0.5 * (s + beyond);
-                    trial = min(trial, way.length);
-                    walking = s < way.length;
+                    trial = min(trial, way.extent);
+                    walking = s < way.extent;
                 }
             }
         }
@@ -189,15 +189,18 @@ Meeting meetStraight(vec3 x, vec3 direction, float reach, uint inside, float dep
     return met;
 }
 
-// The solids beyond a boundary met at x on the way to `forward`, a unit normal. Solids that touch there
-// are one boundary: what is close on the other side is looked for a little way off.
-uint insideBeyond(uint inside, int solid, vec3 x, vec3 forward) {
+// The solids beyond a boundary met at x by a ray along w; `forward` is the unit normal on its far side.
+// Solids that touch there are one boundary: a ray that is about to go through that of another one has
+// done so, if a little way off that one rules.
+uint insideBeyond(uint inside, int solid, vec3 x, vec3 w, vec3 forward) {
     uint after = inside ^ (1u << solid);
     if (kSolids == 1) return after;
     uint close = closeTo(x);
     for (int k = 0; k < kSolids; ++k)
         if (k != solid && ((close >> k) & 1u) == 1u) {
-            if (abs(distanceAt(k, x).w) > 2.0 * kTouch) continue;
+            vec4 found = distanceAt(k, x);
+            bool leaves = sideOf(inside, k) * dot(found.xyz, w) >= 0.0;
+            if (leaves || abs(found.w) > 2.0 * kTouch) continue;
             after &= ~(1u << k);
             after |= (distanceAt(k, x + kTouch * forward).w < 0.0 ? 1u : 0u) << k;
         }

@@ -62,6 +62,7 @@ struct Seen {
     vec3 light;   // L/n²
     bool lit;     // by a medium on the way
     int steps;
+    int begun;    // the steps made before the branch at hand
     int meetings; // with boundaries
     int fate;     // of the branch at hand
     float error;  // adaptive: the steps' own estimates, added up [voxel]
@@ -81,7 +82,7 @@ void main() {
     pixel.y += params.picture.z;
 
     Sight sight = sightOf(pixel);
-    Seen seen = Seen(vec3(0.0), false, 0, 0, kWalking, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Seen seen = Seen(vec3(0.0), false, 0, 0, 0, kWalking, 0.0, 0.0, 0.0, 0.0, 0.0);
     Branch branch = Branch(Ray(sight.start, sight.direction), vec3(1.0), 0u, 0, 0.0);
     float n = params.march.y; // at the eye
     Branch first = branch;    // where the first one's way ends
@@ -121,6 +122,7 @@ void main() {
                 more = queue > 0 && seen.fate != kTrapped;
                 if (more) {
                     branch = waiting[--queue];
+                    seen.begun = seen.steps;
                     seen.fate = kWalking;
                 }
             }
@@ -138,7 +140,7 @@ void main() {
     }
     vec3 direction = normalize(first.ray.w);
     vec3 turned = direction - sight.direction;
-    bool stopped = int(firstWay.w) == kStopped;
+    bool stopped = kOpaque && int(firstWay.w) == kStopped;
     // Where no gradient acted the direction is the same but for rounding.
     bool changed = seen.meetings > 0 || seen.lit || stopped || dot(turned, turned) > 1.0e-12 ||
                    first.through != vec3(1.0);

@@ -93,11 +93,11 @@ Meeting walkBent(inout Seen seen, inout Branch branch, int region, vec3 centre, 
                 share = shareInside(branch.ray, step.ray, tau, centre, halfSize);
                 ending = kLands;
             }
-            if (free < way.length) {
+            if (free < way.extent) {
                 met = meet(way, branch.inside, branch.departs);
                 seen.steps += met.looks;
-                if (met.solid >= 0 && met.s <= share * way.length) {
-                    share = met.s / way.length;
+                if (met.solid >= 0 && met.s <= share * way.extent) {
+                    share = met.s / way.extent;
                     ending = kMeets;
                 }
             }
@@ -116,7 +116,7 @@ Meeting walkBent(inout Seen seen, inout Branch branch, int region, vec3 centre, 
             walking = ending == kOn;
         }
         tau = next;
-        if (walking && seen.steps >= params.size.w) {
+        if (walking && seen.steps - seen.begun >= params.size.w) {
             seen.fate = kTrapped;
             walking = false;
         }
@@ -151,7 +151,7 @@ Meeting walkOn(inout Seen seen, inout Branch branch) {
     seen.opticalLength += n * met.s;
     branch.ray.x = clamp(branch.ray.x + met.s * d, centre - halfSize, centre + halfSize);
     if (met.solid < 0) seen.fate = kLeft;
-    else if (seen.steps >= params.size.w) seen.fate = kTrapped;
+    else if (seen.steps - seen.begun >= params.size.w) seen.fate = kTrapped;
     return met;
 }
 
@@ -174,16 +174,19 @@ Parted part(inout Seen seen, Branch branch, Meeting met) {
     Parted parted = Parted(branch, branch, false);
     vec3 normal = met.gradient / max(length(met.gradient), 1.0e-20);
     vec3 forward = dot(branch.ray.w, normal) < 0.0 ? -normal : normal;
-    uint after = insideBeyond(branch.inside, met.solid, branch.ray.x, forward);
+    uint after = insideBeyond(branch.inside, met.solid, branch.ray.x, branch.ray.w, forward);
     int here = regionOf(branch.inside);
     int there = regionOf(after);
-    if (here == there) { // within an object that rules both sides
+    float n = indexOf(here, branch.ray.x);
+    float beyond = indexOf(there, branch.ray.x);
+    bool stops = kOpaque && surfaces.regions[there].index.z == 1.0;
+    if (here == there || (n == beyond && !stops)) { // nothing parts at it
         parted.on.inside = after;
         parted.on.departs = 0.0;
         return parted;
     }
     ++seen.meetings;
-    if (kOpaque && surfaces.regions[there].index.z == 1.0) {
+    if (stops) {
         float n2 = dot(branch.ray.w, branch.ray.w);
         seen.light += branch.through * surfaceLight(there, branch.ray.x, -forward) / n2;
         seen.fate = kStopped;
@@ -195,14 +198,13 @@ Parted part(inout Seen seen, Branch branch, Meeting met) {
         seen.fate = kDropped;
         return parted;
     }
-    vec3 w = branch.ray.w * (indexOf(here, branch.ray.x) / length(branch.ray.w));
-    float beyond = indexOf(there, branch.ray.x);
-    Parting parting = partAt(w, normal, beyond);
+    vec3 w = branch.ray.w * (n / length(branch.ray.w));
+    Parting parting = partAt(w, normal, n, beyond);
     vec3 passed = branch.through * (1.0 - parting.reflectance);
     vec3 mirrored = branch.through * parting.reflectance *
                     surfaces.regions[met.solid].reflectance.xyz;
     Branch mirror = Branch(Ray(branch.ray.x, parting.reflected), mirrored, branch.inside,
-                           branch.depth + 1, abs(dot(normal, parting.reflected)) / length(w));
+                           branch.depth + 1, abs(dot(normal, parting.reflected)) / n);
     bool mirrors = brightest(mirrored) >= least;
     if (!mirrors) seen.dim += meanOf(mirrored);
     if (parting.reflectance == 1.0) { // total: the one way on

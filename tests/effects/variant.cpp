@@ -68,17 +68,6 @@ void EPOXY_CALLSPEC linkSeen(GLuint program) {
     noteProgram(program);
 }
 
-/// glslang takes every `.length` for the method of arrays: as a member it goes by another name.
-std::string forGlslang(const std::string& text) {
-    Tokens tokens = tokensOf(text);
-    for (size_t i = 1; i + 1 < tokens.size(); ++i) {
-        const bool member = tokens[i - 1] == "." && !(tokens[i + 1] == "(");
-        const bool declared = tokens[i - 1] == "float" && tokens[i + 1] == ";";
-        if (tokens[i] == "length" && (member || declared)) tokens[i].text = "length_";
-    }
-    return textOf(tokens);
-}
-
 bool runs(const std::string& command) {
     return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
@@ -106,7 +95,7 @@ std::optional<Instructions> instructionsOf(const std::string& text, const std::s
     if (const auto known = counted.find(text); known != counted.end()) return known->second;
     std::filesystem::create_directories(work);
     const std::string base = "'" + work + "/kernel";
-    std::ofstream(work + "/kernel.comp") << forGlslang(text);
+    std::ofstream(work + "/kernel.comp") << text;
     if (!runs("glslangValidator -G -S comp -o " + base + ".spv' " + base + ".comp'") ||
         !runs("spirv-opt -O " + base + ".spv' -o " + base + ".opt.spv'") ||
         !runs("spirv-dis " + base + ".opt.spv' -o " + base + ".txt'"))

@@ -221,13 +221,13 @@ TEST(Random, NumbersAreUniform) {
 TEST(Fresnel, NormalIncidenceByHand) {
     // ((n − 1)/(n + 1))²: 4 % of glass's light comes back, from either side.
     for (const double n : {1.000001, 1.33, 1.5, 2.42}) {
-        const Parting in = partAt({0, 0, 1}, {0, 0, -1}, n);
+        const Parting in = partAt({0, 0, 1}, {0, 0, -1}, 1, n);
         const double r = (n - 1) / (n + 1);
         // 1e-15 of 1, where the difference of two indices is all that is left.
         EXPECT_NEAR(in.reflectance, r * r, 1e-15);
         EXPECT_NEAR(in.refracted.z, n, 1e-14);
         EXPECT_EQ(in.reflected.z, -1);
-        const Parting out = partAt({0, 0, n}, {0, 0, 1}, 1);
+        const Parting out = partAt({0, 0, n}, {0, 0, 1}, n, 1);
         EXPECT_NEAR(out.reflectance, r * r, 1e-15);
         EXPECT_NEAR(out.refracted.z, 1, 1e-14);
     }
@@ -237,7 +237,7 @@ TEST(Fresnel, BrewstersAngleReflectsHalfOfOnePolarisation) {
     // tanθ = n: r_p = 0, and refracted and reflected are at right angles; r_s = −cos 2θ.
     const double n = 1.5, angle = std::atan(n);
     const vec3 w(std::sin(angle), -std::cos(angle), 0);
-    const Parting parting = partAt(w, {0, 1, 0}, n);
+    const Parting parting = partAt(w, {0, 1, 0}, 1, n);
     EXPECT_NEAR(parting.reflectance, 0.5 * std::pow(std::cos(2 * angle), 2), 1e-15);
     EXPECT_NEAR(glm::dot(parting.refracted, parting.reflected), 0, 1e-15);
 }
@@ -247,7 +247,7 @@ TEST(Fresnel, SnellsLawAndItsWayBack) {
         for (const double n2 : {1.0, 1.34, 2.42})
             for (double angle = 0.05; angle < 1.57; angle += 0.1) {
                 const vec3 w = n1 * vec3(std::sin(angle), -std::cos(angle), 0);
-                const Parting parting = partAt(w, {0, -1, 0}, n2); // the normal on the far side
+                const Parting parting = partAt(w, {0, -1, 0}, n1, n2); // the normal on the far side
                 const double sine = n1 * std::sin(angle) / n2;
                 if (sine > 1) {
                     EXPECT_EQ(parting.reflectance, 1);
@@ -258,7 +258,7 @@ TEST(Fresnel, SnellsLawAndItsWayBack) {
                 EXPECT_NEAR(parting.refracted.x / n2, sine, 1e-14);
                 EXPECT_LE(parting.refracted.y, 0);
                 // Light on its way back sees the same boundary.
-                const Parting back = partAt(-parting.refracted, {0, 1, 0}, n1);
+                const Parting back = partAt(-parting.refracted, {0, 1, 0}, n2, n1);
                 EXPECT_NEAR(back.reflectance, parting.reflectance, 1e-12);
                 EXPECT_NEAR(glm::distance(back.refracted, -w), 0, 1e-12);
             }
@@ -266,7 +266,7 @@ TEST(Fresnel, SnellsLawAndItsWayBack) {
 
 TEST(Fresnel, OneIndexOnBothSidesIsNoBoundary) {
     const vec3 w(0.6, -0.8, 0);
-    const Parting parting = partAt(w, {0, 1, 0}, 1);
+    const Parting parting = partAt(w, {0, 1, 0}, 1, 1);
     EXPECT_NEAR(parting.reflectance, 0, 1e-30);
     EXPECT_NEAR(glm::distance(parting.refracted, w), 0, 1e-15);
 }

@@ -64,7 +64,7 @@ chain_sharp() {
     mesh2vol mesh.obj block.obj -o a.vdb --resolution 56 --ior 1.5 --ior 1 --opacity 0 --opacity 1 \
         --absorption 0.1,0.3,0.5 --absorption 0 --albedo 0 --albedo 0.9,0.5,0.2 \
         --medium-scattering 0.15 --quiet &&
-        lightsim a.vdb -o b.vdb $light --quiet &&
+        lightsim a.vdb -o b.vdb $dim_light --quiet &&
         render b.vdb -o "$1" --eye 2.5,3.4,7 --target -0.1,1.1,0.5 --fov 30 --size 96x72 \
             --background 0.05,0.1,0.2 --samples 2 --quiet
 }
