@@ -177,21 +177,21 @@ Parted part(inout Seen seen, Branch branch, Meeting met) {
     uint after = insideBeyond(branch.inside, met.solid, branch.ray.x, branch.ray.w, forward);
     int here = regionOf(branch.inside);
     int there = regionOf(after);
+    if (kOpaque && here != there && surfaces.regions[there].index.z == 1.0) {
+        float n2 = dot(branch.ray.w, branch.ray.w);
+        seen.light += branch.through * surfaceLight(there, branch.ray.x, -forward) / n2;
+        seen.fate = kStopped;
+        ++seen.meetings;
+        return parted;
+    }
     float n = indexOf(here, branch.ray.x);
     float beyond = indexOf(there, branch.ray.x);
-    bool stops = kOpaque && surfaces.regions[there].index.z == 1.0;
-    if (here == there || (n == beyond && !stops)) { // nothing parts at it
+    if (here == there || n == beyond) { // nothing parts at it
         parted.on.inside = after;
         parted.on.departs = 0.0;
         return parted;
     }
     ++seen.meetings;
-    if (stops) {
-        float n2 = dot(branch.ray.w, branch.ray.w);
-        seen.light += branch.through * surfaceLight(there, branch.ray.x, -forward) / n2;
-        seen.fate = kStopped;
-        return parted;
-    }
     float least = params.sharp.y;
     if (branch.depth >= int(params.sharp.x)) {
         seen.deep += meanOf(branch.through);
