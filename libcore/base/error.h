@@ -10,14 +10,14 @@ namespace eikonal {
 /// Exit statuses, after sysexits.h. 128 + N is reserved for signal N.
 enum class ExitStatus : int {
     done = 0,
-    usage = 64,        ///< wrong usage
-    data = 65,         ///< input that is no valid data
-    missing = 66,      ///< input missing or unreadable
-    device = 69,       ///< no usable device
-    internal = 70,     ///< a fault of ours, a NaN found in an output included
-    memory = 71,       ///< not enough memory, host or device
-    cantCreate = 73,   ///< output can't be created, or exists under --no-clobber
-    io = 74,           ///< read or write failed
+    usage = 64,      ///< wrong usage
+    data = 65,       ///< input that is no valid data
+    missing = 66,    ///< input missing or unreadable
+    device = 69,     ///< no usable device
+    internal = 70,   ///< a fault of ours, a NaN found in an output included
+    memory = 71,     ///< not enough memory, host or device
+    cantCreate = 73, ///< output can't be created, or exists under --no-clobber
+    io = 74,         ///< read or write failed
 };
 
 /// What every engine throws. The message says where, what was found and what was wanted, on one

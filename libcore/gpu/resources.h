@@ -58,7 +58,7 @@ public:
     /// `data` holds `count` slices from `slice` on.
     void uploadSlices(int slice, int count, const void* data);
     void download(void* data, std::int64_t bytes) const;
-    void clear();                  ///< to zero
+    void clear();                 ///< to zero
     void fill(const void* texel); ///< every texel to this one
     void bindSampler(unsigned unit) const;
     void bindImage(unsigned unit) const; ///< for reading and writing

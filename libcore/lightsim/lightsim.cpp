@@ -38,8 +38,8 @@ constexpr double kPi = 3.14159265358979323846;
 // Work items that sum up a batch's books: enough to fill a device, few enough to read back.
 constexpr int kAccounts = 1024;
 
-// The same among sharp boundaries, where a look for one counts as a step: two or three pieces of way
-// for most photons, then those that are reflected once more.
+// The same among sharp boundaries, where a look for one counts as a step: two or three pieces of
+// way for most photons, then those that are reflected once more.
 constexpr unsigned kSharpStepsPerLaunch = 48;
 
 /// As in shaders/lightsim/account.comp.glsl.
@@ -138,8 +138,8 @@ Simulation::Simulation(gpu::Device& device, const volume::Volume& volume, const 
     mTracing.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
     const optics::Tracing& tracing = params.tracing;
     const double crossing = glm::length(dvec3(plan.size));
-    mTracing.tracing = vec4(tracing.step > 0 ? tracing.step : 1e6, tracing.tolerance / crossing,
-                            crossing, 0);
+    mTracing.tracing =
+        vec4(tracing.step > 0 ? tracing.step : 1e6, tracing.tolerance / crossing, crossing, 0);
     mTracing.scale = vec4(1.0f / glm::vec3(plan.size + 2), 0);
     mTracing.sharp = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
 }
@@ -164,11 +164,10 @@ void Simulation::compile() {
             traced.emplace_back(name, value);
             if (name == "SOLIDS") born.emplace_back(name, value);
         }
-    mBirth = Program(mDevice,
-                     mPlan.sharp ? "lightsim/sharp_birth.comp.glsl" : "lightsim/birth.comp.glsl",
-                     born);
-    mMarch = Program(
-        mDevice, mPlan.sharp ? "lightsim/sharp.comp.glsl" : "lightsim/march.comp.glsl", traced);
+    mBirth = Program(
+        mDevice, mPlan.sharp ? "lightsim/sharp_birth.comp.glsl" : "lightsim/birth.comp.glsl", born);
+    mMarch = Program(mDevice, mPlan.sharp ? "lightsim/sharp.comp.glsl" : "lightsim/march.comp.glsl",
+                     traced);
     mAccount = Program(mDevice, "lightsim/account.comp.glsl", {});
     mResolve = Program(
         mDevice, "lightsim/resolve.comp.glsl",

@@ -115,9 +115,9 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     Plan plan;
     plan.size = volume.domain().size();
     plan.voxelSize = volume.frame().voxelSize;
-    plan.sharp = params.tracing.boundary == optics::Boundary::sharp ||
-                 (params.tracing.boundary == optics::Boundary::automatic &&
-                  !volume.objects().empty());
+    plan.sharp =
+        params.tracing.boundary == optics::Boundary::sharp ||
+        (params.tracing.boundary == optics::Boundary::automatic && !volume.objects().empty());
     if (plan.sharp)
         planSharp(plan, volume, params);
     else

@@ -30,8 +30,7 @@ public:
     Mask(ivec3 size, const Solid& solid) : mSize(size), mSolid(&solid) {}
 
     template<typename Visit> void forEach(const Visit& visit) const {
-        const volume::IndexBox box =
-            mSolid ? mSolid->box : volume::IndexBox{ivec3(0), mSize - 1};
+        const volume::IndexBox box = mSolid ? mSolid->box : volume::IndexBox{ivec3(0), mSize - 1};
         size_t i = 0;
         for (int z = box.min.z; z <= box.max.z; ++z)
             for (int y = box.min.y; y <= box.max.y; ++y)
@@ -132,10 +131,10 @@ float slopeOf(const Solid& solid) {
         for (int y = 1; y + 1 < size.y; ++y)
             for (int x = 1; x + 1 < size.x; ++x) {
                 if (std::abs(at(x, y, z)) > std::min(2.0f, solid.band - 1.5f)) continue;
-                sum += static_cast<double>(
-                    glm::length(vec3(at(x + 1, y, z) - at(x - 1, y, z),
-                                     at(x, y + 1, z) - at(x, y - 1, z),
-                                     at(x, y, z + 1) - at(x, y, z - 1)) * 0.5f));
+                sum += static_cast<double>(glm::length(vec3(at(x + 1, y, z) - at(x - 1, y, z),
+                                                            at(x, y + 1, z) - at(x, y - 1, z),
+                                                            at(x, y, z + 1) - at(x, y, z - 1)) *
+                                                       0.5f));
                 ++count;
             }
     return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 1.0f;
@@ -195,8 +194,8 @@ bool Objects::any(bool (*holds)(const Region&)) const {
 }
 
 int Objects::varying() const {
-    return static_cast<int>(std::count_if(
-        regions.begin(), regions.end(), [](const Region& r) { return r.coefficientsVary(); }));
+    return static_cast<int>(std::count_if(regions.begin(), regions.end(),
+                                          [](const Region& r) { return r.coefficientsVary(); }));
 }
 
 Objects readObjects(const volume::Volume& volume, const volume::IndexBox& box) {
@@ -210,15 +209,13 @@ Objects readObjects(const volume::Volume& volume, const volume::IndexBox& box) {
     for (const volume::ObjectFacts& object : facts) {
         objects.solids.push_back(readSolid(volume, object.sdf, box));
         const Mask mask(objects.size, objects.solids.back());
-        const bool own =
-            !object.name.empty() && volume.has(volume::ownGrid("ior", object.name));
+        const bool own = !object.name.empty() && volume.has(volume::ownGrid("ior", object.name));
         objects.regions.push_back(
             readRegion(object.name, mask, Reader(volume, box, mask, object.name, own)));
     }
     const Mask everywhere(objects.size);
-    objects.regions.push_back(
-        readRegion(volume::kMedium, everywhere,
-                   Reader(volume, box, everywhere, volume::kMedium, true)));
+    objects.regions.push_back(readRegion(volume::kMedium, everywhere,
+                                         Reader(volume, box, everywhere, volume::kMedium, true)));
     return objects;
 }
 

@@ -37,10 +37,10 @@ constexpr float kKept = 5;
 
 /// One object's boundary over the part of the domain where it is near or inside.
 struct Solid {
-    volume::IndexBox box;            ///< from the domain's first voxel on
-    std::vector<float> distance;     ///< signed, negative inside, x fastest [voxel]
-    float band = 0;                  ///< no distance is known beyond [voxel]
-    float slope = 1;                 ///< how it grows a voxel on, in the mean near the boundary
+    volume::IndexBox box;        ///< from the domain's first voxel on
+    std::vector<float> distance; ///< signed, negative inside, x fastest [voxel]
+    float band = 0;              ///< no distance is known beyond [voxel]
+    float slope = 1;             ///< how it grows a voxel on, in the mean near the boundary
 };
 
 struct Objects {

@@ -87,7 +87,8 @@ std::vector<std::string> distanceWarnings(const Objects& objects) {
     for (size_t k = 0; k < objects.solids.size(); ++k)
         if (objects.solids[k].slope > kSteep)
             warnings.push_back("the signed distance of '" + objects.regions[k].name +
-                               "' grows by " + toText(std::round(objects.solids[k].slope * 100) / 100) +
+                               "' grows by " +
+                               toText(std::round(objects.solids[k].slope * 100) / 100) +
                                " a voxel, expected 1: rays may leap over its boundary");
     return warnings;
 }

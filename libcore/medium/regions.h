@@ -14,9 +14,9 @@ namespace eikonal::medium {
 using RegionValues = OneSided Region::*;
 
 /// One index grid for all regions whose index varies, or an index that does not: each voxel has the
-/// value of the varying object that is nearest, so that look-ups within one object, and the few voxels
-/// round it that they reach, find its own values alone. `path` is the file's. Throws DataError where
-/// two regions that vary come closer than that.
+/// value of the varying object that is nearest, so that look-ups within one object, and the few
+/// voxels round it that they reach, find its own values alone. `path` is the file's. Throws
+/// DataError where two regions that vary come closer than that.
 Index varyingIndex(const Objects& objects, const std::string& path);
 
 /// Throws DataError naming grid and region if one of these grids varies within a region.

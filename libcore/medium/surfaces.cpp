@@ -71,8 +71,8 @@ gpu::Texture makeDistances(gpu::Device& device, const Objects& objects) {
     return texture;
 }
 
-/// Padded pages, one behind the other along z, of the regions whose coefficients vary: `pack(region,
-/// voxel, out)` fills a texel.
+/// Padded pages, one behind the other along z, of the regions whose coefficients vary:
+/// `pack(region, voxel, out)` fills a texel.
 template<typename Pack>
 gpu::Texture makePages(gpu::Device& device, const Objects& objects, bool floorAtZero,
                        const Pack& pack) {
@@ -98,8 +98,8 @@ gpu::Texture makePages(gpu::Device& device, const Objects& objects, bool floorAt
 // Samples round a solid's box that its spline is made from [voxel].
 constexpr int kSplineMargin = 4;
 
-/// The second difference of samples along an axis. Where walls are thin distances have a kink between
-/// both faces, which is not theirs to bend by: there it is the lesser of the neighbours'.
+/// The second difference of samples along an axis. Where walls are thin distances have a kink
+/// between both faces, which is not theirs to bend by: there it is the lesser of the neighbours'.
 float bendOf(const float* s, size_t stride) {
     const auto at = [&](int i) { return s[i * static_cast<std::ptrdiff_t>(stride)]; };
     const auto second = [&](int i) { return at(i - 1) - 2 * at(i) + at(i + 1); };
@@ -258,8 +258,8 @@ BoundaryTable tabulate(const Objects& objects) {
         });
     }
     const Blocks blocks = farBlocks(size, nearest);
-    // From a voxel to its block's centre, to that of a block with a boundary, to a voxel of it whose
-    // centre is within kVoxel of the boundary.
+    // From a voxel to its block's centre, to that of a block with a boundary, to a voxel of it
+    // whose centre is within kVoxel of the boundary.
     const float slack = (2 * (kBlock - 1) + 1) * kVoxel;
     tbb::parallel_for(0, size.z, [&](int z) {
         for (int y = 0; y < size.y; ++y)
@@ -295,8 +295,8 @@ Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize
         const Region& region = objects.regions[r];
         RegionParams& out = values.regions[r];
         out.index = vec4(region.index.value.x, region.index.varies(), region.opaque, 0);
-        out.absorption = vec4(region.absorption.value * h,
-                              region.coefficientsVary() ? page.z * pages++ : -1);
+        out.absorption =
+            vec4(region.absorption.value * h, region.coefficientsVary() ? page.z * pages++ : -1);
         out.scattering = vec4(region.scattering.value * h, region.anisotropy.value.x);
         out.emission = vec4(region.emission.value * h, 0);
         out.albedo = vec4(region.albedo.value, 0);
@@ -317,10 +317,11 @@ void Surfaces::makeCoefficients(gpu::Device& device, const Objects& objects, flo
     const auto rgb = [h](const OneSided& values, size_t voxel, float* out) {
         for (int c = 0; c < 3; ++c) out[c] = values.at(voxel, c) * h;
     };
-    mCoefficients[0] = makePages(device, objects, false, [&](const Region& r, size_t i, float* out) {
-        rgb(r.absorption, i, out);
-        out[3] = r.anisotropy.at(i, 0);
-    });
+    mCoefficients[0] =
+        makePages(device, objects, false, [&](const Region& r, size_t i, float* out) {
+            rgb(r.absorption, i, out);
+            out[3] = r.anisotropy.at(i, 0);
+        });
     mCoefficients[1] = makePages(device, objects, true, [&](const Region& r, size_t i, float* out) {
         rgb(r.scattering, i, out);
     });
@@ -330,8 +331,7 @@ void Surfaces::makeCoefficients(gpu::Device& device, const Objects& objects, flo
 }
 
 gpu::Switches surfaceSwitches(const Objects& objects) {
-    return {{"SOLIDS", static_cast<int>(objects.solids.size())},
-            {"VARIES", objects.varying() > 0}};
+    return {{"SOLIDS", static_cast<int>(objects.solids.size())}, {"VARIES", objects.varying() > 0}};
 }
 
 void Surfaces::bind() const {
@@ -353,8 +353,7 @@ std::vector<gpu::Need> surfaceNeeds(const Objects& objects) {
             {"the table of boundaries",
              std::int64_t{objects.size.x} * objects.size.y * objects.size.z *
                  (objects.solids.size() == 1 ? 4 : 8),
-             false,
-             std::max({objects.size.x, objects.size.y, objects.size.z})}};
+             false, std::max({objects.size.x, objects.size.y, objects.size.z})}};
 }
 
 } // namespace eikonal::medium

@@ -39,10 +39,10 @@ struct BoundaryTable {
 };
 BoundaryTable tabulate(const Objects& objects);
 
-/// The coefficients of a cubic B-spline of a solid's distances, from one voxel before its box to two
-/// behind along x, y and z, x fastest [voxel]. Each is made from its neighbours alone: they make a
-/// spline that follows any cubic exactly, and a crease or the band's edge is felt no further off.
-/// The kink between the faces of a thin wall is kept out of their bend.
+/// The coefficients of a cubic B-spline of a solid's distances, from one voxel before its box to
+/// two behind along x, y and z, x fastest [voxel]. Each is made from its neighbours alone: they
+/// make a spline that follows any cubic exactly, and a crease or the band's edge is felt no further
+/// off. The kink between the faces of a thin wall is kept out of their bend.
 std::vector<float> coefficientsOf(const Solid& solid);
 
 } // namespace eikonal::medium

@@ -50,7 +50,8 @@ struct Tracing {
     Interpolation sampling() const;
     bool unbiased() const { return !plainSamples && integrator != Integrator::euler; }
     /// 1 voxel; Verlet's 1.5, which cost what Euler's of 1 do, where the medium is not sampled with
-    /// every step (`gathers`); adaptive ones 4, so that no sizeable detail lies between two look-ups.
+    /// every step (`gathers`); adaptive ones 4, so that no sizeable detail lies between two
+    /// look-ups.
     double usualStep(bool gathers = false) const;
     /// The shaders' switch PATH: 0 straight, then in the order of Integrator.
     int pathSwitch(bool bends) const { return bends ? 1 + static_cast<int>(integrator) : 0; }

@@ -29,8 +29,7 @@ void listEffects(Plan& plan, const Scene& scene, const Params& params) {
         listSharpEffects(plan);
     } else {
         add("refraction", plan.bends,
-            plan.bends ? "grid 'ior'"
-                       : "the index is " + toText(plan.index.least) + " everywhere");
+            plan.bends ? "grid 'ior'" : "the index is " + toText(plan.index.least) + " everywhere");
         add("absorption", plan.absorption.present, present("absorption", plan.absorption));
         add("scattering", plan.scatters,
             plan.scattering.present && !plan.fluence.present

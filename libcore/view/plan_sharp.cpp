@@ -13,14 +13,14 @@ using medium::whoHas;
 void planSharp(Plan& plan, const Scene& scene) {
     plan.objects = scene.objects();
     const medium::Objects& objects = plan.objects;
-    medium::requireConstants(objects, scene.path(), {{"albedo", &Region::albedo},
-                                                     {"reflectance", &Region::reflectance}});
+    medium::requireConstants(objects, scene.path(),
+                             {{"albedo", &Region::albedo}, {"reflectance", &Region::reflectance}});
     plan.index = medium::varyingIndex(objects, scene.path());
     plan.bends = medium::whatRefracts(objects).first;
     plan.opaque = objects.any([](const Region& region) { return region.opaque; });
     plan.colour = objects.any([](const Region& region) {
-        return !region.absorption.grey() || !region.scattering.grey() ||
-               !region.emission.grey() || !region.reflectance.grey();
+        return !region.absorption.grey() || !region.scattering.grey() || !region.emission.grey() ||
+               !region.reflectance.grey();
     });
     plan.warnings = medium::distanceWarnings(objects);
     const bool scatters = anyHas(objects, &Region::scattering);
@@ -51,10 +51,10 @@ void listSharpEffects(Plan& plan) {
         plan.scattersUnlit ? "it only dims: no grid 'fluence', or 0 everywhere"
                            : whoHas(objects, &Region::scattering));
     add("phase_function", plan.lobes,
-        !plan.scatters ? "nothing is scattered"
-        : plan.lobes   ? whoHas(objects, &Region::anisotropy)
+        !plan.scatters                         ? "nothing is scattered"
+        : plan.lobes                           ? whoHas(objects, &Region::anisotropy)
         : anyHas(objects, &Region::anisotropy) ? "no grid 'light_direction', or 0 everywhere"
-                                            : "nothing has anisotropy");
+                                               : "nothing has anisotropy");
     add("emission", plan.emits, whoHas(objects, &Region::emission));
     std::string opaque = "nothing is opaque";
     for (const Region& region : objects.regions)

@@ -99,11 +99,10 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
     mProfiler.end();
     mProfiler.begin("medium");
     const bool verlet = params.integrator == Integrator::verlet;
-    mField = plan.index.varies()
-                 ? medium::Field(device, plan.index.grid,
-                                 {params.sampling(), params.unbiased(),
-                                  verlet && params.unbiased() ? longestTau() : 0})
-                 : medium::Field(device, plan.index.least);
+    mField = plan.index.varies() ? medium::Field(device, plan.index.grid,
+                                                 {params.sampling(), params.unbiased(),
+                                                  verlet && params.unbiased() ? longestTau() : 0})
+                                 : medium::Field(device, plan.index.least);
     if (plan.sharp) {
         mSurfaces = medium::Surfaces(device, plan.objects, scene.frame().voxelSize);
         uploadLight();
@@ -313,7 +312,8 @@ image::Image Rendering::run(const Progress& progress) {
             // The plastic number's powers: any number of rays is spread evenly over the pixel, and
             // the first goes through its centre.
             const glm::dvec2 place =
-                glm::fract(0.5 + static_cast<double>(sample) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+                glm::fract(0.5 + static_cast<double>(sample) *
+                                     glm::dvec2(0.7548776662466927, 0.5698402909980532));
             mValues.pattern = vec4(place, sample == 0 ? 1 : 0, 1.0 / mParams.samples);
             mBlock.upload(&mValues, sizeof mValues);
             mMarch.dispatch({camera.width, rows, 1});
@@ -341,7 +341,9 @@ void Rendering::readBand(int row, int rows) {
 void Rendering::readCounters() {
     std::array<std::uint64_t, kSlots * kCounters> slots{};
     mCounters.download(slots.data(), sizeof slots);
-    const auto value = [&](size_t slot, size_t counter) { return slots[slot * kCounters + counter]; };
+    const auto value = [&](size_t slot, size_t counter) {
+        return slots[slot * kCounters + counter];
+    };
     const char* names[] = {"rays", "steps", "trapped"};
     for (size_t counter = 0; counter < 3; ++counter)
         for (size_t slot = 0; slot < kSlots; ++slot)
@@ -349,7 +351,8 @@ void Rendering::readCounters() {
     if (mPlan.sharp) {
         const auto sum = [&](size_t counter) {
             double all = 0;
-            for (size_t slot = 0; slot < kSlots; ++slot) all += static_cast<double>(value(slot, counter));
+            for (size_t slot = 0; slot < kSlots; ++slot)
+                all += static_cast<double>(value(slot, counter));
             return all;
         };
         const double kShare = 1048576, rays = std::max(sum(0), 1.0); // as in sharp.comp.glsl
@@ -361,7 +364,8 @@ void Rendering::readCounters() {
         float worst = 0;
         double over = 0;
         for (size_t slot = 0; slot < kSlots; ++slot) {
-            worst = std::max(worst, std::bit_cast<float>(static_cast<std::uint32_t>(value(slot, 3))));
+            worst =
+                std::max(worst, std::bit_cast<float>(static_cast<std::uint32_t>(value(slot, 3))));
             over += static_cast<double>(value(slot, 4));
         }
         mStats.raise("position_error_voxels", static_cast<double>(worst));

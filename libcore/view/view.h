@@ -26,10 +26,10 @@ struct Plan {
     bool lobes = false;    ///< scattering prefers a direction
     bool emits = false;
     bool opaque = false;
-    bool map = false; ///< an environment map surrounds the scene
+    bool map = false;           ///< an environment map surrounds the scene
     bool scattersUnlit = false; ///< sharp: something would scatter, but there is no light
-    bool sharp = false;      ///< rays part at the boundaries of `objects`; the coefficients below
-                             ///< but for the light are empty then
+    bool sharp = false; ///< rays part at the boundaries of `objects`; the coefficients below
+                        ///< but for the light are empty then
     medium::Objects objects;
     medium::Index index;
     medium::Coefficient absorption, scattering, anisotropy, emission, opacity, albedo, fluence,

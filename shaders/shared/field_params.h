@@ -1,5 +1,5 @@
-// How the index field is laid out for rays to sample. Read by C++ and GLSL; vec4-sized members only.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// How the index field is laid out for rays to sample. Read by C++ and GLSL; vec4-sized members
+// only. SPDX-License-Identifier: GPL-3.0-or-later
 
 struct FieldParams {
     vec4 scale; // xyz: 1 / texels along each axis; w: the index, where it does not vary

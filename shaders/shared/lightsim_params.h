@@ -5,7 +5,8 @@ struct OctreeParams {
     ivec4 size;   // voxels along x, y, z; w: the pyramid's top level
     ivec4 nodes;  // nodes along x, y, z of the level worked on; w: that level
     ivec4 source; // nodes along x, y, z of the level read; w: its first node in the pyramid
-    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an edge
+    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an
+                  // edge
     vec4 limits;  // x: tolerance ε, y: second tolerance ε', z: step limit under ε' [voxel]
 };
 
@@ -13,34 +14,34 @@ struct BirthParams {
     mat4 clipFromVoxel; // the light's view of one window of its photon map
     vec4 right;         // voxel space; for a point light right, up, forward span its view
     vec4 up;
-    vec4 forward;       // xyz: directional light's direction of travel, or the view's axis
-    vec4 window;        // tangents, or offsets [voxel], at the window's low corner, and its extents
-    vec4 origin;        // xyz: the light in voxels; w: 1 if photons start there, 0 at the map's depth
-    vec4 low;           // the domain's low corner [voxel]
-    vec4 high;          // the domain's high corner [voxel]
-    vec4 weight;        // x: 1 for a point light
-    ivec4 map;          // x, y: pixels of the map; z: the seed
-    ivec4 batch;        // this map's pixels are every z-th of a larger one's, from x, y on
+    vec4 forward; // xyz: directional light's direction of travel, or the view's axis
+    vec4 window;  // tangents, or offsets [voxel], at the window's low corner, and its extents
+    vec4 origin;  // xyz: the light in voxels; w: 1 if photons start there, 0 at the map's depth
+    vec4 low;     // the domain's low corner [voxel]
+    vec4 high;    // the domain's high corner [voxel]
+    vec4 weight;  // x: 1 for a point light
+    ivec4 map;    // x, y: pixels of the map; z: the seed
+    ivec4 batch;  // this map's pixels are every z-th of a larger one's, from x, y on
 };
 
 struct PhotonParams {
-    ivec4 size;  // voxels along x, y, z; w: voxels in all
-    uvec4 list;  // x: photons in the list, y: steps of this launch, z: step limit of a photon,
-                 // w: photons in the map
-    vec4 limits; // x: shortest step [voxel], y: a photon dimmer than this is dropped,
-                 // z: fixed-point unit of one voxel's length at weight 1
-    vec4 colour; // xyz: the light's RGB over their sum, the weights of its direction
-    vec4 tracing; // x: longest step [voxel]; adaptive, y: error allowed per voxel of the way, z: length
-                  // of a crossing [voxel]
+    ivec4 size;   // voxels along x, y, z; w: voxels in all
+    uvec4 list;   // x: photons in the list, y: steps of this launch, z: step limit of a photon,
+                  // w: photons in the map
+    vec4 limits;  // x: shortest step [voxel], y: a photon dimmer than this is dropped,
+                  // z: fixed-point unit of one voxel's length at weight 1
+    vec4 colour;  // xyz: the light's RGB over their sum, the weights of its direction
+    vec4 tracing; // x: longest step [voxel]; adaptive, y: error allowed per voxel of the way, z:
+                  // length of a crossing [voxel]
     vec4 scale;  // xyz: 1 / (size + 2), voxels to coordinates of padded textures
     uvec4 sharp; // x: most boundaries that a photon meets, y: differs by seed and batch
 };
 
 struct ResolveParams {
-    ivec4 size;     // voxels along x, y, z; w: voxels in all
-    ivec4 planes;   // x: channels traced, y: channels of fluence, z: axis to smooth
-    vec4 fluence;   // per channel: fluence of one unit of fixed point [W/m²]
-    vec4 colour;    // as PhotonParams::colour; w: direction, per unit of fixed point [W/m²]
+    ivec4 size;   // voxels along x, y, z; w: voxels in all
+    ivec4 planes; // x: channels traced, y: channels of fluence, z: axis to smooth
+    vec4 fluence; // per channel: fluence of one unit of fixed point [W/m²]
+    vec4 colour;  // as PhotonParams::colour; w: direction, per unit of fixed point [W/m²]
 };
 
 struct Photon {
@@ -48,6 +49,6 @@ struct Photon {
     vec4 wave;      // w = n dx/ds, and the green weight
     vec4 absorbed;  // weight absorbed so far, RGB; w: the blue weight
     vec4 scattered; // weight scattered so far, RGB; w: the rounding phase in [0, 1)
-    uvec4 count;    // x: what became of it (kNone...), y: steps, z: deposits; w: adaptive, the bits of
-                    // its error so far, estimated [voxel]
+    uvec4 count; // x: what became of it (kNone...), y: steps, z: deposits; w: adaptive, the bits of
+                 // its error so far, estimated [voxel]
 };

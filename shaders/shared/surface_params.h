@@ -8,8 +8,8 @@ struct SolidParams {
 
 // What an object is made of, or what surrounds them all.
 struct RegionParams {
-    vec4 index;       // x: n; y: 1 if it varies; z: 1 if opaque
-    vec4 absorption;  // rgb [1/voxel]; w: where coefficients vary, their page's first texel; else −1
+    vec4 index;      // x: n; y: 1 if it varies; z: 1 if opaque
+    vec4 absorption; // rgb [1/voxel]; w: where coefficients vary, their page's first texel; else −1
     vec4 scattering;  // rgb [1/voxel]; w: g
     vec4 emission;    // rgb [radiance/voxel]
     vec4 albedo;      // rgb

@@ -99,7 +99,8 @@ std::vector<Cut> photonCuts() {
     cuts.back().edits = {{"CHANNELS + 3 * DIRECTION", "CHANNELS"}};
     cuts.back().gone = {"DIRECTION", "towards", "power"};
     cuts.push_back({"opaque surface", k, {{"kOpaque", false}, {"fate == kStopped", false}}});
-    cuts.back().edits = {{"float ends;", ""}, {"photon.count.z, 0u, 1.0);", "photon.count.z, 0u);"}};
+    cuts.back().edits = {{"float ends;", ""},
+                         {"photon.count.z, 0u, 1.0);", "photon.count.z, 0u);"}};
     cuts.back().gone = {"kOpaque", "OPAQUE", "opaque", "kStopped", "ends"};
     cuts.push_back(
         {"other integrators", k,

@@ -24,7 +24,8 @@ inline std::ostream& operator<<(std::ostream& out, const Mode& mode) {
 }
 
 inline Mode mode(const std::string& name, view::Integrator integrator, double step) {
-    return {name, [=](view::Params& params) {
+    return {name,
+            [=](view::Params& params) {
                 params.integrator = integrator;
                 params.step = step;
             },
@@ -33,7 +34,8 @@ inline Mode mode(const std::string& name, view::Integrator integrator, double st
 
 /// On splines.
 inline Mode cubicMode(const std::string& name, view::Integrator integrator, double step) {
-    return {name, [=](view::Params& params) {
+    return {name,
+            [=](view::Params& params) {
                 params.integrator = integrator;
                 params.interpolation = view::Interpolation::cubic;
                 params.step = step;
@@ -43,7 +45,8 @@ inline Mode cubicMode(const std::string& name, view::Integrator integrator, doub
 
 /// As exact as fixed steps of that length, or exact but for floats.
 inline Mode adaptiveMode(const std::string& name, double tolerance, double step) {
-    return {name, [=](view::Params& params) {
+    return {name,
+            [=](view::Params& params) {
                 params.integrator = view::Integrator::adaptive;
                 params.tolerance = tolerance;
             },

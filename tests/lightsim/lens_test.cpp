@@ -51,8 +51,8 @@ TEST(LightLens, AGlassBallFocusesOnTheAxisBehindIt) {
     // The rim of the ball throws a shadow, beside it the light is as it came.
     EXPECT_NEAR(lit.fluence({16, 30, 16}), 1, 0.05); // the glory below, spread all round
     EXPECT_LT(lit.fluence({16, 24, 30}), 0.8);
-    // n r hardly grows within the blurred edge: rays at 11.0 voxels from the axis are turned back by
-    // it, those between 11.0 and 11.3 leave in all directions (the deflection integral, done on
+    // n r hardly grows within the blurred edge: rays at 11.0 voxels from the axis are turned back
+    // by it, those between 11.0 and 11.3 leave in all directions (the deflection integral, done on
     // paper). The ring is a glory, bright on the axis on the side that the light comes from.
     EXPECT_GT(lit.fluence({16, 16, 2}), 1.2);
     EXPECT_LT(lit.fluence({16, 16, 2}), 3);
@@ -161,8 +161,8 @@ TEST(LightLens, OrbitsThatOverflowAVoxelAreRunAgain) {
     // What the books say was absorbed, the fluence says too. A unit 16 or 256 times coarser rounds
     // each of some million deposits by up to one, in either direction at random.
     EXPECT_NEAR(lit.total() * 0.0005, energy.absorbed[0], 2e-3 * energy.absorbed[0]);
-    // Circles about a centre up to 3.4 from the lens's fit a ball of radius 8: three quarters of all
-    // directions, and 0.95 of their light is absorbed before it is dropped. On a spline they keep to
-    // their circles even in so few voxels.
+    // Circles about a centre up to 3.4 from the lens's fit a ball of radius 8: three quarters of
+    // all directions, and 0.95 of their light is absorbed before it is dropped. On a spline they
+    // keep to their circles even in so few voxels.
     EXPECT_GT(energy.absorbed[0], 0.6 * energy.entered[0]);
 }

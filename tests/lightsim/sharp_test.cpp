@@ -88,8 +88,8 @@ TEST(LightSharp, ASlabIsSnellsAndFresnels) {
         const double sine = std::sin(degrees * M_PI / 180), cosine = std::sqrt(1 - sine * sine);
         const double inside = std::sqrt(1 - sine * sine / (n * n)), R = fresnel(n, cosine);
         // At its far end light from the near one has been through so many reflections that more do
-        // not count. It starts in front of the slab: from the domain's side it would enter the glass
-        // without refraction and never leave.
+        // not count. It starts in front of the slab: from the domain's side it would enter the
+        // glass without refraction and never leave.
         const int length = degrees < 60 ? 72 : 112;
         Params params = paramsOf({beam({sine, 0, cosine})}, std::int64_t{2048} * length);
         params.proxy = sheet({length, 8}, 0.125);
@@ -102,7 +102,8 @@ TEST(LightSharp, ASlabIsSnellsAndFresnels) {
         // 64 columns of 256 photons and more. At a slant only some 100 of them stand side by side
         // across the sheet's end, a half of one of which is in doubt; so is the share reflected.
         EXPECT_NEAR(at(14, 19), both.through, 5e-3);
-        // Inside both ways together carry what arrives, (1 − R)(1 + R)/(1 − R²), along longer paths.
+        // Inside both ways together carry what arrives, (1 − R)(1 + R)/(1 − R²), along longer
+        // paths.
         EXPECT_NEAR(at(7, 12), cosine / inside, 5e-3);
         EXPECT_NEAR(at(1, 6), 1 + both.back, 5e-3);
     }
@@ -128,8 +129,8 @@ TEST(LightSharp, WhatASlabAbsorbsIsBooked) {
 }
 
 TEST(LightSharp, AnObjectMayAbsorbHereMoreThanThere) {
-    // σ rises along the way: the integral over the slab is that of its middle. Beyond the slab the grid
-    // goes on, and is not read.
+    // σ rises along the way: the integral over the slab is that of its middle. Beyond the slab the
+    // grid goes on, and is not read.
     const double R = 0.04, a = std::exp(-0.01 * 10 * 7.5);
     TestVolume glass = scene({16, 16, 20}, slab(6.25, 13.75), 1.5);
     glass.addVector("absorption", [=](dvec3 p) { return dvec3(0.01 * p.z); });
@@ -162,7 +163,8 @@ TEST(LightSharp, OutOfGlassLightIsRefractedOrTotallyReflected) {
             EXPECT_EQ(most, 0);
             EXPECT_NEAR(energy.escaped[0], energy.entered[0], 1e-5 * energy.entered[0]);
         } else {
-            // From the boundary's side: the light that arrives is reflected as it would be from without.
+            // From the boundary's side: the light that arrives is reflected as it would be from
+            // without.
             const double beyond = std::sqrt(1 - out * out), R = fresnel(n, beyond);
             // 80 voxels of 170 photons, and the share reflected is off by some tens.
             EXPECT_NEAR(mean(found, {23, 0, 21}, {25, 8, 26}), (1 - R) * cosine / beyond, 0.01);
@@ -173,14 +175,15 @@ TEST(LightSharp, OutOfGlassLightIsRefractedOrTotallyReflected) {
 }
 
 TEST(LightSharp, ARoofPrismSendsBackAllThatItGets) {
-    // In through the long side at z = 8, off both legs at 45°, past the critical 41.8°, and back. What
-    // the long side turns back to the legs comes again.
+    // In through the long side at z = 8, off both legs at 45°, past the critical 41.8°, and back.
+    // What the long side turns back to the legs comes again.
     const Distance prism = [](dvec3 p) {
         return std::max(8 - p.z, (std::abs(p.x - 40) + p.z - 40) * std::sqrt(0.5));
     };
-    const Lit found = lit(scene({80, 4, 48}, prism, 1.5), paramsOf({beam({0, 0, 1})}, 80 * 4 * 256));
-    // Edges are round over two voxels or three, and scatter what hits them: some 7 in 64 of the light,
-    // of which little comes this way.
+    const Lit found =
+        lit(scene({80, 4, 48}, prism, 1.5), paramsOf({beam({0, 0, 1})}, 80 * 4 * 256));
+    // Edges are round over two voxels or three, and scatter what hits them: some 7 in 64 of the
+    // light, of which little comes this way.
     EXPECT_NEAR(mean(found, {20, 0, 1}, {32, 4, 7}), 2, 0.02);
     EXPECT_NEAR(mean(found, {48, 0, 1}, {60, 4, 7}), 2, 0.02);
     EXPECT_LT(mean(found, {20, 0, 36}, {28, 4, 44}), 0.03);
@@ -191,12 +194,12 @@ TEST(LightSharp, ABallGathersLightAtItsCentreAndAbsorbsItsChords) {
     const dvec3 centre(24);
     TestVolume clear = scene(ivec3(48), ball(centre, radius), n);
     const Lit found = lit(clear, paramsOf({beam({0, 0, 1})}, 1 << 19));
-    // The front focuses 3 radii behind its vertex: at the centre a bundle is 2/3 as wide. So it is on
-    // its way back from the rear, a concave mirror. Aberration: those who pass within a voxel came
-    // within two at the front, a tenth of the radius, squared. 16 voxels of 500 photons.
+    // The front focuses 3 radii behind its vertex: at the centre a bundle is 2/3 as wide. So it is
+    // on its way back from the rear, a concave mirror. Aberration: those who pass within a voxel
+    // came within two at the front, a tenth of the radius, squared. 16 voxels of 500 photons.
     EXPECT_NEAR(mean(found, ivec3(23, 23, 22), ivec3(25, 25, 26)), 0.96 * 1.04 * 2.25, 0.04);
-    // 1.35 radii behind the centre, on the way to the focus at 1.5, the bundle's width is a tenth of
-    // what it was: a hundredfold but for aberration, which takes most.
+    // 1.35 radii behind the centre, on the way to the focus at 1.5, the bundle's width is a tenth
+    // of what it was: a hundredfold but for aberration, which takes most.
     EXPECT_GT(mean(found, ivec3(23, 23, 45), ivec3(25, 25, 47)), 20);
     EXPECT_NEAR(found.stats.energy.lost[0], 0, 1e-3 * found.stats.energy.entered[0]); // thinned
 
@@ -258,11 +261,11 @@ TEST(LightSharp, AGradedBallBendsLightWithinItsBoundary) {
     const double radius = 20;
     const dvec3 centre(24);
     for (const double rim : {1.0, 1.5})
-        for (const auto integrator :
-             {optics::Integrator::verlet, optics::Integrator::sharma, optics::Integrator::adaptive}) {
+        for (const auto integrator : {optics::Integrator::verlet, optics::Integrator::sharma,
+                                      optics::Integrator::adaptive}) {
             // n² = rim² (2 − r²/a²): harmonic, ω = rim/a. The centre is reached at ωτ = π/4, where
-            // x = x0 (cos ωτ − (1 − 1/rim) sin ωτ) = x0 / (√2 rim); what the rear mirrors comes back
-            // as wide.
+            // x = x0 (cos ωτ − (1 − 1/rim) sin ωτ) = x0 / (√2 rim); what the rear mirrors comes
+            // back as wide.
             const auto index = [=](dvec3 p) {
                 const double r = std::min(glm::length(p - centre) / radius, 1.2);
                 return rim * std::sqrt(2 - r * r);
@@ -272,8 +275,8 @@ TEST(LightSharp, AGradedBallBendsLightWithinItsBoundary) {
             const Lit found = lit(scene(ivec3(48), ball(centre, radius), index), params);
             EXPECT_TRUE(found.plan.bends);
             const double R = fresnel(rim, 1);
-            // 16 voxels of 120 to 250 photons; those who pass within a voxel came within three at the
-            // front, a seventh of the radius, and half of its square is aberration.
+            // 16 voxels of 120 to 250 photons; those who pass within a voxel came within three at
+            // the front, a seventh of the radius, and half of its square is aberration.
             EXPECT_NEAR(mean(found, ivec3(23, 23, 22), ivec3(25, 25, 26)),
                         (1 - R) * (1 + R) * 2 * rim * rim, 0.03 * 2 * rim * rim)
                 << rim << " " << static_cast<int>(integrator);
@@ -307,7 +310,8 @@ TEST(LightSharp, MirrorsAreTinted) {
         const double tint = c == 0 ? 1 : c == 1 ? 0.5 : 0, R = 0.04, T = 1 - R;
         // Two bounces within lead out behind. 2^16 photons, of which the share reflected is off by
         // some tens.
-        EXPECT_NEAR(mean(found, {0, 0, 15}, {16, 16, 20}, c), T * T / (1 - R * R * tint * tint), 1e-3);
+        EXPECT_NEAR(mean(found, {0, 0, 15}, {16, 16, 20}, c), T * T / (1 - R * R * tint * tint),
+                    1e-3);
         EXPECT_NEAR(mean(found, {0, 0, 0}, {16, 16, 5}, c),
                     1 + R * tint + T * T * R * tint / (1 - R * R * tint * tint), 1e-3);
     }
@@ -341,15 +345,16 @@ TEST(LightSharp, RunsRepeatAndSeedsDifferLittle) {
     double off = 0;
     forEachVoxel(ivec3(24), [&](ivec3 p) { off += std::abs(a.fluence(p) - c.fluence(p)) / 13824; });
     EXPECT_GT(off, 0);
-    EXPECT_LT(off, 0.12 * a.total() / 13824); // 30 pixels a voxel shifted by part of one
+    EXPECT_LT(off, 0.12 * a.total() / 13824);            // 30 pixels a voxel shifted by part of one
     EXPECT_NEAR(a.total(), c.total(), 5e-3 * a.total()); // the box's outline
 }
 
 TEST(LightSharp, NeighboursShareOutReflection) {
     // Behind a slab at normal incidence 16 photons cross every voxel, but for those reflected:
-    // (1 − R)/(1 + R) = 0.923 go on. By chance that scatters by √(0.923 · 0.077/16) = 6.7 %. Numbers
-    // that neighbours share out are off by six tenths of a photon of the 16 in a voxel, 3.8 %, and by
-    // one of the 256 in a patch of 4 × 4, 0.4 %, a quarter of the 1.7 % of chance. So with every seed.
+    // (1 − R)/(1 + R) = 0.923 go on. By chance that scatters by √(0.923 · 0.077/16) = 6.7 %.
+    // Numbers that neighbours share out are off by six tenths of a photon of the 16 in a voxel, 3.8
+    // %, and by one of the 256 in a patch of 4 × 4, 0.4 %, a quarter of the 1.7 % of chance. So
+    // with every seed.
     const double wanted = 0.96 / 1.04;
     for (const int seed : {0, 1, 2, 3}) {
         Params params = paramsOf({beam({0, 0, 1})}, 16 * 64 * 64);

@@ -154,8 +154,8 @@ TEST(ViewCurved, ATighterToleranceIsKept) {
 TEST(ViewCurved, EqualKicksAreNotRoundedTheSameWayEveryTime) {
     // n² = 1.8 + 0.003 (y − 24): on a spline each of some 1400 steps kicks w_y by the same 3e-4,
     // which a float beside w_y of up to 0.3 rounds to the same side for long. Of 28 voxels' bending
-    // that is 6e-4 voxels if it is lost, and half as much, from the samples' own floats, if the next
-    // step has it.
+    // that is 6e-4 voxels if it is lost, and half as much, from the samples' own floats, if the
+    // next step has it.
     TestVolume scene({256, 48, 4});
     scene.index([](dvec3 p) { return std::sqrt(1.8 + 0.003 * (p.y - 24)); });
     Params params = parallel({-40, 5, 2}, {0, 5, 2}, 2, {1, 8});

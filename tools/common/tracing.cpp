@@ -10,8 +10,7 @@
 namespace eikonal::tool {
 
 TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption,
-                               const std::string& stepHelp, int& maxDepth,
-                               const std::string& what)
+                               const std::string& stepHelp, int& maxDepth, const std::string& what)
     : mToleranceOption(toleranceOption) {
     const char* const kGroup = "Tracing";
     app.add_option("--boundary", mBoundary,
