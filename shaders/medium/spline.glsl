@@ -2,36 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lib/spline.glsl"
 
-// (gradient, value) at t in [0, 1)³ of a cell. A texel has all that a row needs, its four coefficients:
-// 16 of them, unfiltered, where filtered look-ups would take 8 for the value alone, and a device's
-// filters may be coarse. `texel` is the centre of the cell's first row, `scale` 1 / texels.
-vec4 splineAt(sampler3D coefficients, vec3 texel, vec3 scale, vec3 t) {
-    vec4 wx = splineWeights(t.x);
-    vec4 wy = splineWeights(t.y);
-    vec4 wz = splineWeights(t.z);
-    vec4 sx = splineSlopes(t.x);
-    vec4 sy = splineSlopes(t.y);
-    vec4 sz = splineSlopes(t.z);
-    vec4 sum = vec4(0.0); // gradient, value
-    for (int k = 0; k < 4; ++k) {
-        vec3 row = vec3(0.0); // over y of: value, ∂x, ∂y
-        for (int j = 0; j < 4; ++j) {
-            // Faster than texelFetch on Mesa.
-            vec4 c = textureLod(coefficients, (texel + vec3(0, j, k)) * scale, 0.0);
-            float value = dot(c, wx);
-            row += vec3(wy[j] * value, wy[j] * dot(c, sx), sy[j] * value);
-        }
-        sum += vec4(wz[k] * row.y, wz[k] * row.z, sz[k] * row.x, wz[k] * row.x);
-    }
-    return sum;
-}
-
-// The same, and how the gradient changes along d, from the same look-ups.
 struct Curved {
     vec4 sum;    // gradient, value
     vec3 change; // (d·∇)∇
 };
 
+// At t in [0, 1)³ of a cell: gradient and value, and how the gradient changes along d. A texel has all
+// that a row needs, its four coefficients: 16 of them, unfiltered, where filtered look-ups would take 8
+// for the value alone, and a device's filters may be coarse. `texel` is the centre of the cell's first
+// row, `scale` 1 / texels.
 Curved curvedSplineAt(sampler3D coefficients, vec3 texel, vec3 scale, vec3 t, vec3 d) {
     vec4 wx = splineWeights(t.x);
     vec4 wy = splineWeights(t.y);
@@ -63,4 +42,9 @@ Curved curvedSplineAt(sampler3D coefficients, vec3 texel, vec3 scale, vec3 t, ve
                        mixed.z * d.x + pure.y * d.y + mixed.x * d.z,
                        mixed.y * d.x + mixed.x * d.y + pure.z * d.z);
     return Curved(sum, change);
+}
+
+// Without the change, whose terms no compiler keeps.
+vec4 splineAt(sampler3D coefficients, vec3 texel, vec3 scale, vec3 t) {
+    return curvedSplineAt(coefficients, texel, scale, t, vec3(0.0)).sum;
 }
