@@ -100,6 +100,7 @@ void main() {
         Branch waiting[WAITING];
         int queue = 0;
         bool onFirst = true;
+        bool trapped = false; // on some branch
         bool more = true;
         while (more) {
             if (seen.fate == kWalking) {
@@ -119,7 +120,8 @@ void main() {
                     firstWay = vec4(seen.opticalLength, seen.pathLength, seen.steps, seen.fate);
                 }
                 onFirst = false;
-                more = queue > 0 && seen.fate != kTrapped;
+                trapped = trapped || seen.fate == kTrapped;
+                more = queue > 0;
                 if (more) {
                     branch = waiting[--queue];
                     seen.begun = seen.steps;
@@ -130,7 +132,7 @@ void main() {
         count(kRays, 1u);
         count(kSteps, uint(seen.steps));
         count(kMeetings, uint(seen.meetings));
-        if (seen.fate == kTrapped) count(kTrappedRays, 1u);
+        if (trapped) count(kTrappedRays, 1u);
         if (seen.deep > 0.0) count(kDeep, uint(seen.deep * kShare + 0.5));
         if (seen.dim > 0.0) count(kDim, uint(seen.dim * kShare + 0.5));
         if (kPath == kAdaptive)
