@@ -42,12 +42,6 @@ constexpr int kAccounts = 1024;
 // way for most photons, then those that are reflected once more.
 constexpr unsigned kSharpStepsPerLaunch = 48;
 
-/// As in shaders/lightsim/account.comp.glsl.
-struct Account {
-    glm::vec4 remaining, absorbed, scattered, escaped;
-    glm::uvec4 count;
-};
-
 /// A batch's books, in weights and numbers.
 struct Books {
     dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
@@ -113,12 +107,12 @@ private:
     medium::Field mField;
     medium::Surfaces mSurfaces;
     Texture mLeaves, mAbsorption, mScattering, mOpaque, mMap;
-    Buffer mEmitter, mCount, mParamsBlock, mBirthBlock, mResolveBlock, mPhotons, mPassages,
+    Buffer mEmitter, mCount, mParamsBlock, mBirthBlock, mResolveBlock, mPhotons, mTransport,
         mLists[2], mAccounts;
     std::vector<Buffer> mPlanes, mResults; // results: channels of fluence, then of direction
     std::int64_t mEmitterVertices = 0;
     PhotonParams mTracing{};
-    ivec4 mBatch{0, 0, 1, 0}; // BirthParams::batch
+    ivec4 mBatch{0, 0, 1, 0}; // EmissionParams::batch
     Program mBirthMap, mBirth, mMarch, mAccount, mResolve, mSmooth;
 };
 
@@ -136,12 +130,16 @@ Simulation::Simulation(gpu::Device& device, const volume::Volume& volume, const 
     mTracing.size = ivec4(plan.size, static_cast<int>(plan.voxels()));
     mTracing.list = uvec4(0, 0, params.maxSteps, 0);
     mTracing.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
+    mTracing.depth = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
     const optics::Tracing& tracing = params.tracing;
-    const double crossing = glm::length(dvec3(plan.size));
-    mTracing.tracing =
-        vec4(tracing.step > 0 ? tracing.step : 1e6, tracing.tolerance / crossing, crossing, 0);
-    mTracing.scale = vec4(1.0f / glm::vec3(plan.size + 2), 0);
-    mTracing.sharp = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
+    const double step = tracing.step > 0 ? tracing.step : 1e6;
+    TransportParams transport{};
+    transport.halfSize = vec4(0.5f * glm::vec3(plan.size), 0);
+    transport.scale = vec4(1.0f / glm::vec3(plan.size + 2), 0);
+    const double tau = step / static_cast<double>(plan.index.most);
+    transport.steps = vec4(tau, 1e-3 * tau / step, tau, step);
+    transport.tolerance = vec4(tracing.tolerance, glm::length(dvec3(plan.size)), 0, 0);
+    mTransport = Buffer(device, sizeof transport, &transport);
 }
 
 void Simulation::compile() {
@@ -149,9 +147,9 @@ void Simulation::compile() {
     const int channels = mPlan.tracedChannels();
     const int field = medium::fieldSwitch(mPlan.bends, mParams.tracing.sampling());
     const bool direction = mPlan.wants(Output::direction);
-    mBirthMap = Program(mDevice, "lightsim/birth.vert.glsl", "lightsim/birth.frag.glsl", {});
-    gpu::Switches born{{"FIELD", field}};
-    gpu::Switches traced{{"PATH", mParams.tracing.pathSwitch(mPlan.bends)},
+    mBirthMap = Program(mDevice, "lightsim/map.vert.glsl", "lightsim/map.frag.glsl", {});
+    gpu::Switches born{{"FIELD", field}, {"OPAQUE", mPlan.opaque}};
+    gpu::Switches traced{{"INTEGRATOR", mParams.tracing.pathSwitch(mPlan.bends)},
                          {"FIELD", field},
                          {"CHANNELS", channels},
                          {"MEDIUM", !mPlan.attenuates ? 0
@@ -159,16 +157,14 @@ void Simulation::compile() {
                                                       : 1},
                          {"DIRECTION", direction},
                          {"OPAQUE", mPlan.opaque}};
-    if (mPlan.sharp)
-        for (const auto& [name, value] : medium::surfaceSwitches(mPlan.objects)) {
-            traced.emplace_back(name, value);
-            if (name == "SOLIDS") born.emplace_back(name, value);
-        }
-    mBirth = Program(
-        mDevice, mPlan.sharp ? "lightsim/sharp_birth.comp.glsl" : "lightsim/birth.comp.glsl", born);
-    mMarch = Program(mDevice, mPlan.sharp ? "lightsim/sharp.comp.glsl" : "lightsim/march.comp.glsl",
-                     traced);
-    mAccount = Program(mDevice, "lightsim/account.comp.glsl", {});
+    const gpu::Switches blurred{{"OBJECTS", 0}, {"VARIES", 0}};
+    for (const auto& item : mPlan.sharp ? medium::surfaceSwitches(mPlan.objects) : blurred) {
+        traced.push_back(item);
+        born.push_back(item);
+    }
+    mBirth = Program(mDevice, "lightsim/emit.comp.glsl", born);
+    mMarch = Program(mDevice, "lightsim/trace.comp.glsl", traced);
+    mAccount = Program(mDevice, "lightsim/energy.comp.glsl", {});
     mResolve = Program(
         mDevice, "lightsim/resolve.comp.glsl",
         {{"CHANNELS", channels}, {"FLUENCE", mPlan.fluenceChannels()}, {"DIRECTION", direction}});
@@ -221,9 +217,9 @@ void Simulation::makeBuffers() {
     for (auto* buffers : {&mPlanes, &mResults})
         for (Buffer& buffer : *buffers) buffer.clear();
     mCount = Buffer(mDevice, 16);
-    mAccounts = Buffer(mDevice, kAccounts * static_cast<std::int64_t>(sizeof(Account)));
+    mAccounts = Buffer(mDevice, kAccounts * static_cast<std::int64_t>(sizeof(EnergySum)));
     mParamsBlock = Buffer(mDevice, sizeof(PhotonParams));
-    mBirthBlock = Buffer(mDevice, sizeof(BirthParams));
+    mBirthBlock = Buffer(mDevice, sizeof(EmissionParams));
     mResolveBlock = Buffer(mDevice, sizeof(ResolveParams));
 }
 
@@ -266,7 +262,7 @@ void Simulation::traceLight(const Light& light, const Progress& progress) {
             const double part = 1.0 / (b * b);
             const double begun = static_cast<double>(w) + batch * part;
             mBatch = ivec4(batch % b, batch / b, b, 0);
-            ++mTracing.sharp.y;
+            ++mTracing.depth.y;
             traceBatch(window.batch(mBatch.x, mBatch.y, b), light, power,
                        partOf(progress, begun / all, (begun + part) / all));
         }
@@ -315,16 +311,15 @@ void Simulation::makeLists(const ivec2& pixels) {
     if (mMap.name() != 0 && mMap.size() == ivec3(pixels, 0)) return;
     const std::int64_t count = std::int64_t{pixels.x} * pixels.y;
     mMap = Texture(); // freed before the next is allocated
-    for (Buffer* buffer : {&mPhotons, &mPassages, &mLists[0], &mLists[1]}) *buffer = Buffer();
+    for (Buffer* buffer : {&mPhotons, &mLists[0], &mLists[1]}) *buffer = Buffer();
     mMap = Texture(mDevice, ivec3(pixels, 0), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     mPhotons = Buffer(mDevice, count * static_cast<std::int64_t>(sizeof(Photon)));
-    if (mPlan.sharp) mPassages = Buffer(mDevice, count * 16);
     for (Buffer& list : mLists) list = Buffer(mDevice, count * 4);
 }
 
 std::uint32_t Simulation::bear(const Window& window) {
     mProfiler.begin("photon birth");
-    BirthParams birth{};
+    EmissionParams birth{};
     birth.clipFromVoxel = mat4(window.clipFromVoxel());
     birth.right = vec4(window.right, 0);
     birth.up = vec4(window.up, 0);
@@ -361,9 +356,8 @@ std::uint32_t Simulation::bear(const Window& window) {
 
 void Simulation::bindMedium() {
     mField.bind();
-    if (!mPlan.sharp) return;
-    mSurfaces.bind();
-    mPassages.bindStorage(10);
+    mTransport.bindUniform(kTransportBlock);
+    if (mPlan.sharp) mSurfaces.bind();
 }
 
 std::uint32_t Simulation::march(std::uint32_t count) {
@@ -398,14 +392,15 @@ Books Simulation::closeBooks(const ivec2& pixels) {
     mTracing.list.w = static_cast<unsigned>(pixels.x) * static_cast<unsigned>(pixels.y);
     mParamsBlock.upload(&mTracing, sizeof mTracing);
     mParamsBlock.bindUniform(0);
+    mTransport.bindUniform(kTransportBlock);
     mPhotons.bindStorage(1);
     mAccounts.bindStorage(2);
     mAccount.dispatch({kAccounts, 1, 1});
     gpu::barrier();
-    std::vector<Account> accounts(kAccounts);
+    std::vector<EnergySum> accounts(kAccounts);
     mAccounts.download(accounts.data(), mAccounts.bytes());
     Books books;
-    for (const Account& account : accounts) {
+    for (const EnergySum& account : accounts) {
         books.remaining += dvec3(account.remaining);
         books.error = std::max(books.error, static_cast<double>(account.remaining.w));
         books.absorbed += dvec3(account.absorbed);

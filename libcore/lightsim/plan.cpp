@@ -147,7 +147,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (plan.attenuates && !plan.sharp)
         needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge + 2});
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
-    needs.push_back({"the photons", pixels * (80 + 2 * 4 + 16 + (plan.sharp ? 16 : 0)), true, 0});
+    needs.push_back({"the photons", pixels * (96 + 2 * 4 + 16), true, 0});
     return needs;
 }
 

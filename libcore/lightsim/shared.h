@@ -11,12 +11,14 @@ using glm::ivec4;
 using glm::mat4;
 using glm::uvec4;
 using glm::vec4;
+#include "shared/bindings.h"
 #include "shared/lightsim_params.h"
+#include "shared/transport_params.h"
 
 static_assert(sizeof(OctreeParams) == 80);
-static_assert(sizeof(BirthParams) == 224);
-static_assert(sizeof(PhotonParams) == 112);
+static_assert(sizeof(EmissionParams) == 224);
+static_assert(sizeof(PhotonParams) == 80);
 static_assert(sizeof(ResolveParams) == 64);
-static_assert(sizeof(Photon) == 80);
+static_assert(sizeof(Photon) == 96);
 
 } // namespace eikonal::lightsim

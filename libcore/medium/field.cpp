@@ -15,11 +15,9 @@ namespace {
 using glm::ivec3;
 using glm::vec3;
 using glm::vec4;
+#include "shared/bindings.h"
 #include "shared/field_params.h"
 static_assert(sizeof(FieldParams) == 48);
-
-// As in shaders/medium/sample.glsl.
-constexpr unsigned kUnit = 8, kBinding = 3;
 
 size_t placeOf(const Potential& potential, int x, int y, int z) {
     const ivec3 outer = potential.outer();
@@ -86,8 +84,8 @@ Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOpt
 }
 
 void Field::bind() const {
-    mParams.bindUniform(kBinding);
-    if (mTexture.name() != 0) mTexture.bindSampler(kUnit);
+    mParams.bindUniform(kFieldBlock);
+    if (mTexture.name() != 0) mTexture.bindSampler(kFieldUnit);
 }
 
 gpu::Need fieldNeed(ivec3 size, Interpolation interpolation) {

@@ -16,12 +16,11 @@ namespace {
 using glm::ivec3;
 using glm::vec3;
 using glm::vec4;
-#include "shared/surface_params.h"
-static_assert(sizeof(SurfaceParams) == 80 + 12 * 32 + 13 * 96);
+#include "shared/bindings.h"
+#include "shared/scene_params.h"
+static_assert(sizeof(SceneParams) == 80 + 12 * 32 + 13 * 96);
 
-// As in shaders/medium/surface.glsl.
-constexpr unsigned kBinding = 4, kDistancesUnit = 9, kClearanceUnit = 10, kNearbyUnit = 11,
-                   kCoefficientsUnit = 12;
+// As in shaders/transport/level_set.glsl.
 constexpr float kNear = 3.5f; // [voxel]
 
 // From a voxel's centre to its corner [voxel].
@@ -274,7 +273,7 @@ BoundaryTable tabulate(const Objects& objects) {
 }
 
 Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize) {
-    SurfaceParams values{};
+    SceneParams values{};
     const ivec3 texels = texelsOf(objects);
     values.texel = vec4(1.0f / vec3(texels), 0);
     values.voxel = vec4(1.0f / vec3(objects.size), 0);
@@ -284,7 +283,7 @@ Surfaces::Surfaces(gpu::Device& device, const Objects& objects, double voxelSize
     int slice = 0;
     for (size_t k = 0; k < objects.solids.size(); ++k) {
         const Solid& solid = objects.solids[k];
-        values.solids[k] = {vec4(vec3(solid.box.min), slice), vec4(vec3(solid.box.size() - 1), 0)};
+        values.objects[k] = {vec4(vec3(solid.box.min), slice), vec4(vec3(solid.box.size() - 1), 0)};
         slice += texelsOf(solid).z;
     }
     const auto h = static_cast<float>(voxelSize);
@@ -331,15 +330,15 @@ void Surfaces::makeCoefficients(gpu::Device& device, const Objects& objects, flo
 }
 
 gpu::Switches surfaceSwitches(const Objects& objects) {
-    return {{"SOLIDS", static_cast<int>(objects.solids.size())}, {"VARIES", objects.varying() > 0}};
+    return {{"OBJECTS", static_cast<int>(objects.solids.size())}, {"VARIES", objects.varying() > 0}};
 }
 
 void Surfaces::bind() const {
-    mParams.bindUniform(kBinding);
+    mParams.bindUniform(kSceneBlock);
     mDistances.bindSampler(kDistancesUnit);
     mClearance.bindSampler(kClearanceUnit);
     for (unsigned i = 0; i < 3; ++i)
-        if (mCoefficients[i].name() != 0) mCoefficients[i].bindSampler(kCoefficientsUnit + i);
+        if (mCoefficients[i].name() != 0) mCoefficients[i].bindSampler(kAbsorptionsUnit + i);
     if (mNearby.name() != 0) mNearby.bindSampler(kNearbyUnit);
 }
 

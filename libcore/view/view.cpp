@@ -24,16 +24,16 @@ namespace {
 using glm::dvec3;
 using glm::ivec3;
 using glm::ivec4;
+using glm::uint;
 using glm::vec4;
 using gpu::Buffer;
 using gpu::TexelFormat;
 using gpu::Texture;
+#include "shared/bindings.h"
+#include "shared/transport_params.h"
 #include "shared/view_params.h"
-static_assert(sizeof(ViewParams) == 272);
+static_assert(sizeof(ViewParams) == 224);
 static_assert(sizeof(PixelPath) == 64);
-
-// As in shaders/view/march.comp.glsl.
-constexpr size_t kSlots = 64, kCounters = 8;
 
 // Adaptive steps get no shorter than this [voxel]: floats hold no position much better.
 constexpr double kShortestStep = 1e-3;
@@ -82,6 +82,7 @@ private:
     Texture mDimming, mSource, mLobes, mEmission, mSurface, mFluence, mMap;
     Buffer mBlock, mColours, mPaths, mCounters;
     ViewParams mValues{};
+    Buffer mTransport;
     gpu::Program mMarch;
     std::vector<vec4> mPicture;
     std::vector<PixelPath> mPicturePaths;
@@ -94,7 +95,7 @@ Rendering::Rendering(gpu::Device& device, const Scene& scene, const Plan& plan,
     mVoxelFromWorld[3] -= glm::dvec4(dvec3(scene.domain().min), 0.0);
     mWorldFromVoxel = glm::inverse(mVoxelFromWorld);
     mProfiler.begin("shaders");
-    mMarch = gpu::Program(device, plan.sharp ? "view/sharp.comp.glsl" : "view/march.comp.glsl",
+    mMarch = gpu::Program(device, "view/trace.comp.glsl",
                           switches(map.has_value()));
     mProfiler.end();
     mProfiler.begin("medium");
@@ -130,7 +131,7 @@ gpu::Switches Rendering::switches(bool hasMap) const {
     const bool bends = mPlan.index.varies();
     const bool emits = mPlan.emits && (mPlan.sharp || mPlan.lobes);
     const bool shines = mPlan.scatters || (mPlan.emits && !mPlan.sharp);
-    gpu::Switches list{{"PATH", mParams.pathSwitch(bends)},
+    gpu::Switches list{{"INTEGRATOR", mParams.pathSwitch(bends)},
                        {"FIELD", medium::fieldSwitch(bends, mParams.sampling())},
                        {"CHANNELS", mPlan.colour ? 3
                                     : mPlan.dims ? 1
@@ -141,8 +142,12 @@ gpu::Switches Rendering::switches(bool hasMap) const {
                        {"EMISSION", emits},
                        {"OPAQUE", mPlan.opaque},
                        {"MAP", hasMap},
-                       {"PATHS", wantsPaths(mPlan, mParams)}};
-    if (mPlan.sharp) {
+                       {"AOVS", wantsPaths(mPlan, mParams)}};
+    if (!mPlan.sharp) {
+        list.emplace_back("OBJECTS", 0);
+        list.emplace_back("VARIES", 0);
+        list.emplace_back("WAITING", 1);
+    } else {
         const auto depth = static_cast<unsigned>(std::max(mParams.maxDepth, 1));
         for (const auto& item : medium::surfaceSwitches(mPlan.objects)) list.push_back(item);
         list.emplace_back("WAITING", static_cast<int>(std::bit_ceil(depth)));
@@ -259,23 +264,25 @@ void Rendering::aim(bool hasMap, bool mapByEdges) {
     const bool adaptive = mParams.integrator == Integrator::adaptive;
     const double usual = adaptive ? std::min(step, 0.25) : step; // what hard places take
     const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / usual) + 1024;
-    v.size = ivec4(size, mParams.maxSteps > 0 ? mParams.maxSteps : crossings);
+    v.limits = ivec4(mParams.maxSteps > 0 ? mParams.maxSteps : crossings, mParams.maxDepth, 0, 0);
     v.picture = ivec4(camera.width, camera.rows, 0, 0);
     v.eyeHigh = vec4(eyeHigh, camera.parallel ? 0 : 1);
     v.eyeLow = vec4(eye - dvec3(eyeHigh), 0);
     v.forward = vec4(turn * forward, 0);
     v.right = vec4(turn * right * (half * aspect), 0);
     v.up = vec4(turn * up * half, 0);
-    const bool euler = mPlan.bends && !mPlan.sharp && mParams.integrator == Integrator::euler;
-    v.march = vec4(euler ? step : tau, mPlan.index.background, kShortestStep * tau / step,
-                   adaptive ? std::min(1.0, step) * tau / step : tau);
     // What floats hold of a picture is three decimals: a thousandth of a ray's light is let go.
     const double kLeastThroughput = 1e-3;
-    v.sharp = vec4(mParams.maxDepth, kLeastThroughput, step, 0);
-    v.tracing = vec4(mParams.tolerance, glm::length(dvec3(size)), 0, 0);
+    v.medium = vec4(mPlan.index.background, kLeastThroughput,
+                    mPlan.opaque && mPlan.fluence.present ? 1 : 0, 0);
+    TransportParams transport{};
+    transport.halfSize = vec4(0.5f * glm::vec3(size), 0);
+    transport.scale = vec4(1.0f / glm::vec3(size + 2), 0);
+    transport.steps = vec4(tau, kShortestStep * tau / step,
+                           adaptive ? std::min(1.0, step) * tau / step : tau, step);
+    transport.tolerance = vec4(mParams.tolerance, glm::length(dvec3(size)), 0, 0);
+    mTransport = Buffer(mDevice, sizeof transport, &transport);
     v.background = vec4(mParams.background, hasMap ? (mapByEdges ? 3 : 2) : 1);
-    v.scale = vec4(1.0f / glm::vec3(size + 2), 0);
-    v.light = vec4(mPlan.opaque && mPlan.fluence.present ? 1 : 0, 0, 0, 0);
 
     const double angle = glm::radians(mParams.environmentTurn);
     // A turn by +90° brings what the map shows at +X to +Z, as turning the map to the right does.
@@ -302,7 +309,8 @@ image::Image Rendering::run(const Progress& progress) {
     mColours.bindStorage(0);
     mPaths.bindStorage(1);
     mCounters.bindStorage(2);
-    mBlock.bindUniform(0);
+    mBlock.bindUniform(kParamsBlock);
+    mTransport.bindUniform(kTransportBlock);
     for (int row = 0; row < camera.rows; row += rowsPerBand(mParams)) {
         const int rows = std::min(rowsPerBand(mParams), camera.rows - row);
         mValues.picture.z = row;
@@ -314,7 +322,8 @@ image::Image Rendering::run(const Progress& progress) {
             const glm::dvec2 place =
                 glm::fract(0.5 + static_cast<double>(sample) *
                                      glm::dvec2(0.7548776662466927, 0.5698402909980532));
-            mValues.pattern = vec4(place, sample == 0 ? 1 : 0, 1.0 / mParams.samples);
+            mValues.pattern = vec4(place, sample == 0 ? 1 : 0, 0);
+            mValues.weight = vec4(1.0 / mParams.samples);
             mBlock.upload(&mValues, sizeof mValues);
             mMarch.dispatch({camera.width, rows, 1});
             gpu::barrier();
@@ -355,7 +364,7 @@ void Rendering::readCounters() {
                 all += static_cast<double>(value(slot, counter));
             return all;
         };
-        const double kShare = 1048576, rays = std::max(sum(0), 1.0); // as in sharp.comp.glsl
+        const double kShare = 1048576, rays = std::max(sum(0), 1.0);
         mStats.count("boundaries_met", sum(5));
         mStats.count("light_dropped_by_depth", sum(6) / kShare / rays);
         mStats.count("light_dropped_as_dim", sum(7) / kShare / rays);

@@ -28,3 +28,13 @@ float timeToLeave(vec3 x, vec3 d, vec3 low, vec3 high) {
     }
     return max(leave, 0.0);
 }
+
+// −1 or 1, never 0.
+vec3 signsOf(vec3 d) {
+    return vec3(d.x < 0.0 ? -1.0 : 1.0, d.y < 0.0 ? -1.0 : 1.0, d.z < 0.0 ? -1.0 : 1.0);
+}
+
+// 1 over the components' sizes.
+vec3 inversesOf(vec3 d) {
+    return 1.0 / max(abs(d), vec3(1.0e-12));
+}

@@ -1,10 +1,10 @@
-// What a boundary between two indices makes of a ray: Snell's and Fresnel's laws.
+// What an interface between two indices makes of a ray: Snell's and Fresnel's laws.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The directions carry the index of their side, |w| = n, so that what lies along the boundary is the
+// The directions carry the index of their side, |w| = n, so that what lies along the interface is the
 // same for all three. R is that of unpolarised light [1]; past the critical angle it is 1, and
-// `refracted` runs along the boundary.
-struct Parting {
+// `refracted` runs along the interface.
+struct Dielectric {
     vec3 reflected;
     vec3 refracted;
     float reflectance;
@@ -13,7 +13,7 @@ struct Parting {
 // `w` arrives, |w| = n; `normal` is of length 1, on either side; `beyond` is the index on the far side.
 // n is given, since a length would lose what little two indices may differ by.
 // Born and Wolf, Principles of Optics, §1.5.2, eqs 20–21 and 31.
-Parting partAt(vec3 w, vec3 normal, float n, float beyond) {
+Dielectric dielectricAt(vec3 w, vec3 normal, float n, float beyond) {
     float across = dot(w, normal);
     float a = abs(across); // n_i cosθ_i
     float n2 = n * n;
@@ -26,5 +26,5 @@ Parting partAt(vec3 w, vec3 normal, float n, float beyond) {
     float p = (beyond2 * a - n2 * b) / max(beyond2 * a + n2 * b, 1.0e-20);
     float turn = across < 0.0 ? -1.0 : 1.0;
     float R = square > 0.0 ? 0.5 * (s * s + p * p) : 1.0;
-    return Parting(along - across * normal, along + (turn * b) * normal, R);
+    return Dielectric(along - across * normal, along + (turn * b) * normal, R);
 }

@@ -55,37 +55,48 @@ Ray fromVerlet(Ray ray, vec3 force, vec3 bend, float tau) {
     return Ray(ray.x - c * force, ray.w + c * bend);
 }
 
-// A Verlet step's share of the optical path length ∫ n² dτ = ∫ |w|² dτ, to fourth order together with
-// verletOpticalEnd() added at the start of a run and taken off at its end.
-float verletOptical(vec3 before, vec3 after, float tau) {
+// Lengths are kept as what they exceed those of a straight way by: where w does not change that is 0,
+// and no rounding of a step adds up. The optical path length is ∫ n ds = ∫ w·dx; `reference` is w at
+// the beginning, and reference·Δx the share that the two ends of the way tell.
+
+// ∫ (w − reference)·dx over a Verlet step, to fourth order together with verletEnd() added at the start
+// of a run and taken off at its end.
+float verletExcess(vec3 before, vec3 after, float tau, vec3 reference) {
+    vec3 mean = 0.5 * (before + after);
     vec3 kick = after - before;
-    return tau * (dot(before, after) + 5.0 / 12.0 * dot(kick, kick));
+    return tau * (dot(mean - reference, mean) + dot(kick, kick) / 6.0);
 }
 
-float verletOpticalEnd(vec3 w, vec3 force, float tau) {
-    return tau * tau / 12.0 * dot(w, force);
+// `force` is ∇U at the run's end in question, whose place toVerlet() moved.
+float verletEnd(vec3 w, vec3 force, float tau, vec3 reference) {
+    return tau * tau / 24.0 * dot(2.0 * w - reference, force);
 }
 
-// What a step of several look-ups gives.
-struct Advance {
-    Ray ray;
-    Ray change;    // by how much x and w went on
-    float optical; // ∫ n² dτ over the step [voxel]
-    vec4 last;     // the field at its end
-    float offX;    // of an embedded step only: the error of x [voxel] and of w, estimated
-    float offW;
+// What a step gives.
+struct Step {
+    Ray end;
+    Ray change;   // by how much x and w went on
+    float excess; // ∫ (w − w₀)·dx over the step, w₀ being w at its start [voxel]
+    vec4 last;    // the field at its end
+    float errorX; // of an embedded step only: the error of x [voxel] and of w, estimated
+    float errorW;
 };
 
-// ∫ |w|² dτ over a step of τ by Simpson's rule, from w and dw/dτ at both its ends. (From |w|, not from n:
+// The excess of a step of τ by Simpson's rule, from w and dw/dτ at both its ends. (From w, not from n:
 // a look-up of n wavers within a voxel, w does not.)
-float opticalOf(vec3 before, vec3 after, vec3 forceBefore, vec3 forceAfter, float tau) {
+float excessOf(vec3 before, vec3 after, vec3 forceBefore, vec3 forceAfter, float tau) {
     vec3 middle = 0.5 * (before + after) + (0.125 * tau) * (forceBefore - forceAfter);
-    return (tau / 6.0) * (dot(before, before) + 4.0 * dot(middle, middle) + dot(after, after));
+    return (tau / 6.0) * (4.0 * dot(middle - before, middle) + dot(after - before, after));
+}
+
+// ∫ n² dτ = ∫ n ds over a step from a ray [voxel].
+float opticalOf(Ray start, Step made) {
+    return dot(start.w, made.change.x) + made.excess;
 }
 
 // Runge–Kutta–Nyström, fourth order in three look-ups: lens design's step (Sharma, Kumar and Ghatak
 // 1982, Appl. Opt. 21:984, eqs 11–13).
-Advance sharmaStep(Ray ray, float tau) {
+Step sharmaStep(Ray ray, float tau) {
     vec4 a = fieldAt(ray.x);
     vec3 ga = vec3(a.x, a.y, a.z);
     vec4 b = fieldAt(ray.x + (0.5 * tau) * ray.w + (0.125 * tau * tau) * ga);
@@ -95,11 +106,11 @@ Advance sharmaStep(Ray ray, float tau) {
     Ray change = Ray(tau * (ray.w + (tau / 6.0) * (ga + 2.0 * gb)),
                      (tau / 6.0) * (ga + 4.0 * gb + gc));
     Ray next = Ray(ray.x + change.x, ray.w + change.w);
-    return Advance(next, change, opticalOf(ray.w, next.w, ga, gc, tau), c, 0.0, 0.0);
+    return Step(next, change, excessOf(ray.w, next.w, ga, gc, tau), c, 0.0, 0.0);
 }
 
 // The classical Runge–Kutta step of fourth order on (x, w), in four look-ups.
-Advance rk4Step(Ray ray, float tau) {
+Step rk4Step(Ray ray, float tau) {
     float mid = 0.5 * tau;
     vec4 a = fieldAt(ray.x);
     vec3 ga = vec3(a.x, a.y, a.z);
@@ -112,7 +123,7 @@ Advance rk4Step(Ray ray, float tau) {
     Ray change = Ray(tau * (ray.w + (tau / 6.0) * (ga + gb + gc)),
                      (tau / 6.0) * (ga + 2.0 * gb + 2.0 * gc + gd));
     Ray next = Ray(ray.x + change.x, ray.w + change.w);
-    return Advance(next, change, opticalOf(ray.w, next.w, ga, gd, tau), d, 0.0, 0.0);
+    return Step(next, change, excessOf(ray.w, next.w, ga, gd, tau), d, 0.0, 0.0);
 }
 
 // An embedded Runge–Kutta–Nyström pair of orders 4 and 3, in three look-ups beside `first`, the field
@@ -120,7 +131,7 @@ Advance rk4Step(Ray ray, float tau) {
 // Anal. 7:235, RKN4(3)4FM). Its own estimate is the error of the third order, which is not the one that
 // goes on: by comparison with the whole kick it tells how much of a field's length τ is, and so what the
 // next order is worth.
-Advance embeddedStep(Ray ray, vec4 first, float tau) {
+Step embeddedStep(Ray ray, vec4 first, float tau) {
     float t2 = tau * tau;
     vec3 ga = vec3(first.x, first.y, first.z);
     vec4 b = fieldAt(ray.x + (0.25 * tau) * ray.w + (t2 / 32.0) * ga);
@@ -140,8 +151,8 @@ Advance embeddedStep(Ray ray, vec4 first, float tau) {
     float strength = max(max(dot(ga, ga), dot(gb, gb)), max(dot(gc, gc), dot(gd, gd)));
     float off = sqrt(dot(offW, offW));
     float share = 2.0 * sqrt(off / max(tau * sqrt(strength), 1.0e-20)); // 2: an oscillator's error
-    return Advance(Ray(x, w), Ray(dx, dw), opticalOf(ray.w, w, ga, gd, tau), d, share * sqrt(dot(offX, offX)),
-                   share * off);
+    return Step(Ray(x, w), Ray(dx, dw), excessOf(ray.w, w, ga, gd, tau), d,
+                share * sqrt(dot(offX, offX)), share * off);
 }
 
 // A point of the way within a step, f from 0 to 1, by the cubic that has both ends' x and w: the

@@ -1,56 +1,34 @@
-// Light left along a straight piece of way: every voxel it crosses gets its exact share.
+// Light left along a straight piece of a path: every voxel it crosses gets its exact share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Sun et al. 2008, §4.4, with storage-buffer atomics in place of rasterised line segments: a piece may
-// cross any number of voxels. The entry file says by kMedium, kDense, kColour and kOpaque what there is
-// to do. Within the loop there is no atomic add but a deposit's own: software devices serialise the
+// cross any number of voxels. The entry file says by kMedium, kDense, kColour and kOpaqueVoxels what there
+// is to do. Within the loop there is no atomic add but a deposit's own: software devices serialise the
 // lanes of every one of them, taken or not.
 #include "lib/attenuation.glsl"
 
-layout(std140, binding = 0) uniform Params { PhotonParams params; };
-layout(std430, binding = 0) buffer Count { uint nextCount; uint overflowed; };
-layout(std430, binding = 1) buffer Photons { Photon photons[]; };
-layout(std430, binding = 2) readonly buffer List { uint list[]; };
-layout(std430, binding = 3) writeonly buffer NextList { uint nextList[]; };
 // Fixed-point sums per voxel, one buffer a plane: the channels of fluence, then, where DIRECTION is 1,
 // the net direction's x, y, z. Integer sums do not depend on the order of the adds. The host chooses
 // the unit so that every photon of a batch may cross one voxel; a sum that still nears the end of its
 // range, from photons that come back, is noticed in `overflowed`, and the batch is run again with a
 // smaller unit. A direction's component d in [−1, 1] adds (1 + d)/2 of the deposit, so these sums stay
 // below those of fluence and need no watch.
-layout(std430, binding = 4) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
-layout(binding = 5) uniform usampler3D opaque; // per voxel, not 0 inside opaque material
+layout(std430, binding = kPlanesBuffer) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
+layout(binding = kOpaqueUnit) uniform usampler3D opaque; // per voxel, not 0 inside opaque material
 
 const uint kNearFull = 0xE0000000u;
 
-// A photon's light, and how it is counted.
-struct Carried {
-    vec3 weight;    // what is left of its power, of 1
-    vec3 absorbed;  // weight that the way has taken
+// What a photon carries beside its path.
+struct Load {
+    vec3 absorbed;  // weight that the path has taken
     vec3 scattered;
     float phase;    // of the rounding, in [0, 1)
     uint deposits;
     uint fullest;   // the largest sum met
-    float ends;     // share of the last piece before an opaque voxel
+    float chance;   // decides which way it goes at an interface, in (0, 1)
+    float worth;    // what share of that number's digits is left
+    uint id;        // its pixel of the photon map
 };
-
-Carried carriedBy(Photon photon) {
-    return Carried(vec3(photon.place.w, photon.wave.w, photon.absorbed.w), photon.absorbed.xyz,
-                   photon.scattered.xyz, photon.scattered.w, photon.count.z, 0u, 1.0);
-}
-
-// The photon as it is kept until the next launch, for which it is listed if it goes on.
-void keep(uint id, Carried carried, vec3 x, vec3 w, uint fate, uint steps, float error) {
-    Photon photon;
-    photon.place = vec4(x, carried.weight.x);
-    photon.wave = vec4(w, carried.weight.y);
-    photon.absorbed = vec4(carried.absorbed, carried.weight.z);
-    photon.scattered = vec4(carried.scattered, carried.phase);
-    photon.count = uvec4(fate, steps, carried.deposits, floatBitsToUint(error));
-    photons[id] = photon;
-    if (fate == kAlive) nextList[atomicAdd(nextCount, 1u)] = id;
-    if (carried.fullest >= kNearFull) atomicOr(overflowed, 1u);
-}
 
 Attenuation dimmingOf(float depth) {
     return kDense ? attenuationOf(depth) : thinAttenuationOf(depth);
@@ -58,7 +36,8 @@ Attenuation dimmingOf(float depth) {
 
 // Walks the voxels from x to x + along (Amanatides and Woo 1987), t from 0 to 1, through a medium of
 // these coefficients [1/voxel].
-void deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS) {
+// Returns the share of the way before an opaque voxel, 1 where there is none.
+float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS) {
     ivec3 size = params.size.xyz;
     ivec3 stride = ivec3(1, size.x, size.x * size.y);
     float unit = params.limits.z;
@@ -75,6 +54,7 @@ void deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS
     vec3 sigmaT = sigmaA + sigmaS;
     vec3 spent = vec3(0.0); // weight times length over the whole piece
     float t = 0.0;
+    float ends = 1.0;
     bool walking = true;
     while (walking) {
         float leave = min(min(crossing.x, crossing.y), crossing.z);
@@ -82,42 +62,42 @@ void deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS
         walking = leave < 0.999999;
         leave = walking ? leave : 1.0;
         float pathLength = max(leave - t, 0.0) * stepLength;
-        if (kOpaque && texelFetch(opaque, ivec3(cell), 0).x != 0u) {
-            carried.ends = t;
+        if (kOpaqueVoxels && texelFetch(opaque, ivec3(cell), 0).x != 0u) {
+            ends = t;
             break;
         }
-        vec3 share = carried.weight * pathLength;
+        vec3 share = path.throughput * pathLength;
         if (kMedium && kColour) {
             Attenuation red = dimmingOf(sigmaT.x * pathLength);
             Attenuation green = dimmingOf(sigmaT.y * pathLength);
             Attenuation blue = dimmingOf(sigmaT.z * pathLength);
             share *= vec3(red.mean, green.mean, blue.mean);
-            carried.weight *= vec3(red.through, green.through, blue.through);
+            path.throughput *= vec3(red.through, green.through, blue.through);
             spent += share;
         } else if (kMedium) {
             Attenuation grey = dimmingOf(sigmaT.x * pathLength);
             share.x *= grey.mean;
-            carried.weight.x *= grey.through;
+            path.throughput.x *= grey.through;
             spent.x += share.x;
         }
         // Rounded up as often as the fraction says: nothing is gained or lost on average. By way
         // of int, to which processors convert in one instruction.
-        carried.phase = fract(carried.phase + 0.61803399);
-        uint amount = uint(int(share.x * unit + carried.phase));
-        carried.fullest = max(carried.fullest, atomicAdd(planes[0].sums[voxel], amount));
+        load.phase = fract(load.phase + 0.61803399);
+        uint amount = uint(int(share.x * unit + load.phase));
+        load.fullest = max(load.fullest, atomicAdd(planes[0].sums[voxel], amount));
 #if CHANNELS == 3
-        uint second = uint(int(share.y * unit + carried.phase));
-        uint third = uint(int(share.z * unit + carried.phase));
-        carried.fullest = max(carried.fullest, atomicAdd(planes[1].sums[voxel], second));
-        carried.fullest = max(carried.fullest, atomicAdd(planes[2].sums[voxel], third));
+        uint second = uint(int(share.y * unit + load.phase));
+        uint third = uint(int(share.z * unit + load.phase));
+        load.fullest = max(load.fullest, atomicAdd(planes[1].sums[voxel], second));
+        load.fullest = max(load.fullest, atomicAdd(planes[2].sums[voxel], third));
 #endif
 #if DIRECTION
         float power = unit * (kColour ? dot(share, params.colour.xyz) : share.x);
-        atomicAdd(planes[CHANNELS + 0].sums[voxel], uint(int(towards.x * power + carried.phase)));
-        atomicAdd(planes[CHANNELS + 1].sums[voxel], uint(int(towards.y * power + carried.phase)));
-        atomicAdd(planes[CHANNELS + 2].sums[voxel], uint(int(towards.z * power + carried.phase)));
+        atomicAdd(planes[CHANNELS + 0].sums[voxel], uint(int(towards.x * power + load.phase)));
+        atomicAdd(planes[CHANNELS + 1].sums[voxel], uint(int(towards.y * power + load.phase)));
+        atomicAdd(planes[CHANNELS + 2].sums[voxel], uint(int(towards.z * power + load.phase)));
 #endif
-        ++carried.deposits;
+        ++load.deposits;
         t = leave;
         // Through an edge or a corner all its axes move at once.
         bvec3 moves = lessThanEqual(crossing, vec3(leave));
@@ -125,8 +105,9 @@ void deposit(inout Carried carried, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS
         crossing.y += moves.y ? slope.y : 0.0;
         crossing.z += moves.z ? slope.z : 0.0;
         voxel += (moves.x ? jump.x : 0) + (moves.y ? jump.y : 0) + (moves.z ? jump.z : 0);
-        if (kOpaque) cell += vec3(moves) * turn;
+        if (kOpaqueVoxels) cell += vec3(moves) * turn;
     }
-    carried.absorbed += sigmaA * spent;
-    carried.scattered += sigmaS * spent;
+    load.absorbed += sigmaA * spent;
+    load.scattered += sigmaS * spent;
+    return ends;
 }

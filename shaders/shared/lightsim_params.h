@@ -10,7 +10,7 @@ struct OctreeParams {
     vec4 limits;  // x: tolerance ε, y: second tolerance ε', z: step limit under ε' [voxel]
 };
 
-struct BirthParams {
+struct EmissionParams {
     mat4 clipFromVoxel; // the light's view of one window of its photon map
     vec4 right;         // voxel space; for a point light right, up, forward span its view
     vec4 up;
@@ -26,15 +26,12 @@ struct BirthParams {
 
 struct PhotonParams {
     ivec4 size;   // voxels along x, y, z; w: voxels in all
-    uvec4 list;   // x: photons in the list, y: steps of this launch, z: step limit of a photon,
-                  // w: photons in the map
+    uvec4 list;   // x: photons in the list, y: steps of this launch, or work items of
+                  // energy.comp, z: step limit of a photon, w: photons in the map
+    uvec4 depth;  // x: most interfaces that a photon meets, y: differs by seed and batch
     vec4 limits;  // x: shortest step [voxel], y: a photon dimmer than this is dropped,
                   // z: fixed-point unit of one voxel's length at weight 1
     vec4 colour;  // xyz: the light's RGB over their sum, the weights of its direction
-    vec4 tracing; // x: longest step [voxel]; adaptive, y: error allowed per voxel of the way, z:
-                  // length of a crossing [voxel]
-    vec4 scale;  // xyz: 1 / (size + 2), voxels to coordinates of padded textures
-    uvec4 sharp; // x: most boundaries that a photon meets, y: differs by seed and batch
 };
 
 struct ResolveParams {
@@ -45,10 +42,20 @@ struct ResolveParams {
 };
 
 struct Photon {
-    vec4 place;     // x [voxel], and the red (or only) weight
-    vec4 wave;      // w = n dx/ds, and the green weight
-    vec4 absorbed;  // weight absorbed so far, RGB; w: the blue weight
-    vec4 scattered; // weight scattered so far, RGB; w: the rounding phase in [0, 1)
-    uvec4 count; // x: what became of it (kNone...), y: steps, z: deposits; w: adaptive, the bits of
-                 // its error so far, estimated [voxel]
+    vec4 place;     // x [voxel]; w: how steeply it leaves the interface it is on, 0: on none
+    vec4 wave;      // w = n dx/ds; w: adaptive, its error so far, estimated [voxel]
+    vec4 weight;    // what is left of its power, rgb or the first alone; w: the rounding phase
+    vec4 absorbed;  // weight absorbed so far; w: decides which way it goes, in (0, 1)
+    vec4 scattered; // weight scattered so far; w: what share of that number's digits is left
+    uvec4 count;    // x: its status (kNone...), y: steps, z: deposits, w: the objects it is in, a
+                    // bit each, and from bit 16 on the interfaces it has met
+};
+
+// A batch's energy in weights and numbers, summed up by a work item.
+struct EnergySum {
+    vec4 remaining; // weight in the photons, whatever their status; w: the largest error [voxel]
+    vec4 absorbed;
+    vec4 scattered;
+    vec4 escaped; // w: photons that met too many interfaces
+    uvec4 count;  // photons, steps, deposits, trapped
 };

@@ -4,7 +4,7 @@
 // Included where `params`, a ViewParams, is declared.
 #include "lib/latlong.glsl"
 
-layout(binding = 7) uniform sampler2D environment;
+layout(binding = kEnvironmentUnit) uniform sampler2D environment;
 
 // Bilinear by hand: the map wraps along its rows and is clamped along its columns.
 vec3 mapAt(vec2 uv, bool byEdges) {
@@ -26,8 +26,7 @@ vec3 mapAt(vec2 uv, bool byEdges) {
 
 // Radiance from a unit direction in voxel space.
 vec3 backgroundLight(vec3 direction) {
-    if (!kMap) return params.background.xyz;
     vec3 d = vec3(dot(params.mapFromVoxel0.xyz, direction), dot(params.mapFromVoxel1.xyz, direction),
                   dot(params.mapFromVoxel2.xyz, direction));
-    return mapAt(latLongOf(d), params.background.w == 3.0);
+    return kMap ? mapAt(latLongOf(d), params.background.w == 3.0) : params.background.xyz;
 }

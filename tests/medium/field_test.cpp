@@ -42,7 +42,7 @@ std::vector<Found> probe(const volume::DenseGrid& grid, const FieldOptions& opti
         in.emplace_back(w, 0);
     }
     const Field field(device(), grid, options);
-    const gpu::Program program(device(), "medium/probe.comp.glsl",
+    const gpu::Program program(device(), "transport/probe.comp.glsl",
                                {{"FIELD", fieldSwitch(true, options.interpolation)}});
     const glm::uvec4 values(points.size(), 0, 0, 0);
     const gpu::Buffer params(device(), sizeof values, &values);

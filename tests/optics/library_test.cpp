@@ -221,13 +221,13 @@ TEST(Random, NumbersAreUniform) {
 TEST(Fresnel, NormalIncidenceByHand) {
     // ((n − 1)/(n + 1))²: 4 % of glass's light comes back, from either side.
     for (const double n : {1.000001, 1.33, 1.5, 2.42}) {
-        const Parting in = partAt({0, 0, 1}, {0, 0, -1}, 1, n);
+        const Dielectric in = dielectricAt({0, 0, 1}, {0, 0, -1}, 1, n);
         const double r = (n - 1) / (n + 1);
         // 1e-15 of 1, where the difference of two indices is all that is left.
         EXPECT_NEAR(in.reflectance, r * r, 1e-15);
         EXPECT_NEAR(in.refracted.z, n, 1e-14);
         EXPECT_EQ(in.reflected.z, -1);
-        const Parting out = partAt({0, 0, n}, {0, 0, 1}, n, 1);
+        const Dielectric out = dielectricAt({0, 0, n}, {0, 0, 1}, n, 1);
         EXPECT_NEAR(out.reflectance, r * r, 1e-15);
         EXPECT_NEAR(out.refracted.z, 1, 1e-14);
     }
@@ -237,9 +237,9 @@ TEST(Fresnel, BrewstersAngleReflectsHalfOfOnePolarisation) {
     // tanθ = n: r_p = 0, and refracted and reflected are at right angles; r_s = −cos 2θ.
     const double n = 1.5, angle = std::atan(n);
     const vec3 w(std::sin(angle), -std::cos(angle), 0);
-    const Parting parting = partAt(w, {0, 1, 0}, 1, n);
-    EXPECT_NEAR(parting.reflectance, 0.5 * std::pow(std::cos(2 * angle), 2), 1e-15);
-    EXPECT_NEAR(glm::dot(parting.refracted, parting.reflected), 0, 1e-15);
+    const Dielectric made = dielectricAt(w, {0, 1, 0}, 1, n);
+    EXPECT_NEAR(made.reflectance, 0.5 * std::pow(std::cos(2 * angle), 2), 1e-15);
+    EXPECT_NEAR(glm::dot(made.refracted, made.reflected), 0, 1e-15);
 }
 
 TEST(Fresnel, SnellsLawAndItsWayBack) {
@@ -247,28 +247,28 @@ TEST(Fresnel, SnellsLawAndItsWayBack) {
         for (const double n2 : {1.0, 1.34, 2.42})
             for (double angle = 0.05; angle < 1.57; angle += 0.1) {
                 const vec3 w = n1 * vec3(std::sin(angle), -std::cos(angle), 0);
-                const Parting parting = partAt(w, {0, -1, 0}, n1, n2); // the normal on the far side
+                const Dielectric made = dielectricAt(w, {0, -1, 0}, n1, n2); // the normal on the far side
                 const double sine = n1 * std::sin(angle) / n2;
                 if (sine > 1) {
-                    EXPECT_EQ(parting.reflectance, 1);
+                    EXPECT_EQ(made.reflectance, 1);
                     continue;
                 }
-                EXPECT_NEAR(glm::length(parting.refracted), n2, 1e-14);
-                EXPECT_NEAR(glm::length(parting.reflected), n1, 1e-14);
-                EXPECT_NEAR(parting.refracted.x / n2, sine, 1e-14);
-                EXPECT_LE(parting.refracted.y, 0);
+                EXPECT_NEAR(glm::length(made.refracted), n2, 1e-14);
+                EXPECT_NEAR(glm::length(made.reflected), n1, 1e-14);
+                EXPECT_NEAR(made.refracted.x / n2, sine, 1e-14);
+                EXPECT_LE(made.refracted.y, 0);
                 // Light on its way back sees the same boundary.
-                const Parting back = partAt(-parting.refracted, {0, 1, 0}, n2, n1);
-                EXPECT_NEAR(back.reflectance, parting.reflectance, 1e-12);
+                const Dielectric back = dielectricAt(-made.refracted, {0, 1, 0}, n2, n1);
+                EXPECT_NEAR(back.reflectance, made.reflectance, 1e-12);
                 EXPECT_NEAR(glm::distance(back.refracted, -w), 0, 1e-12);
             }
 }
 
 TEST(Fresnel, OneIndexOnBothSidesIsNoBoundary) {
     const vec3 w(0.6, -0.8, 0);
-    const Parting parting = partAt(w, {0, 1, 0}, 1, 1);
-    EXPECT_NEAR(parting.reflectance, 0, 1e-30);
-    EXPECT_NEAR(glm::distance(parting.refracted, w), 0, 1e-15);
+    const Dielectric made = dielectricAt(w, {0, 1, 0}, 1, 1);
+    EXPECT_NEAR(made.reflectance, 0, 1e-30);
+    EXPECT_NEAR(glm::distance(made.refracted, w), 0, 1e-15);
 }
 
 TEST(Dip, FindsAParabolasLeastValue) {

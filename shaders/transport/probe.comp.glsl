@@ -5,7 +5,7 @@ layout(local_size_x = 64) in;
 layout(std140, binding = 0) uniform Params { uvec4 params; }; // x: points
 layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };  // x [voxel]; then w
 layout(std430, binding = 1) writeonly buffer Found { vec4 found[]; };   // per point, as C++ names them
-#include "medium/sample.glsl"
+#include "transport/index_field.glsl"
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

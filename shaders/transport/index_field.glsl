@@ -1,18 +1,19 @@
-// The index field at a point, as every ray reads it: (½∇(n²) [1/voxel], n) by voxel coordinates.
+// The index field at a point, as every path reads it: (½∇(n²) [1/voxel], n) by voxel coordinates.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
 #include "shared/field_params.h"
-#include "medium/spline.glsl"
+#include "transport/spline.glsl"
 
 #ifndef FIELD
 #error FIELD must be 0 (a constant index), 1 (linear) or 2 (cubic)
 #endif
 const int kField = FIELD;
 
-layout(std140, binding = 3) uniform Field { FieldParams fieldParams; };
+layout(std140, binding = kFieldBlock) uniform Field { FieldParams fieldParams; };
 #if FIELD == 1
-layout(binding = 8) uniform sampler3D field; // (½∇n², n) per voxel, padded by one
+layout(binding = kFieldUnit) uniform sampler3D field; // (½∇n², n) per voxel, padded by one
 #elif FIELD == 2
-layout(binding = 8) uniform sampler3D field; // per texel four spline coefficients along x
+layout(binding = kFieldUnit) uniform sampler3D field; // per texel four spline coefficients along x
 #endif
 
 #if FIELD == 2
@@ -37,7 +38,7 @@ vec4 fieldAt(vec3 x) {
 }
 #endif
 
-// The index as exactly as the samples tell: what a ray begins with.
+// The index as exactly as the samples tell: what a path begins with.
 #if FIELD == 1
 // Unbiased samples make the mean of linear interpolation right, not each of its points: where x lies in
 // its cell tells how far it is off, by n's second derivatives, and those the eight samples round it.

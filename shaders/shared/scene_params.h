@@ -1,7 +1,7 @@
-// What bounds objects, and what is on each side. Read by C++ and GLSL; vec4-sized members only.
+// What bounds objects, and what they are made of. Read by C++ and GLSL; vec4-sized members only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-struct SolidParams {
+struct ObjectParams {
     vec4 low;   // xyz: the first voxel of its distances; w: their first texel along z
     vec4 range; // xyz: from there to their last voxel
 };
@@ -16,12 +16,12 @@ struct RegionParams {
     vec4 reflectance; // rgb: tint of what its boundary mirrors
 };
 
-struct SurfaceParams {
+struct SceneParams {
     vec4 texel; // xyz: 1 / texels of the distances
     vec4 voxel; // xyz: 1 / voxels of the domain
     vec4 page;  // xyz: 1 / texels of coefficients that vary
     vec4 low;   // xyz: low corner of the box that all boundaries are in [voxel]
     vec4 high;  // xyz: its high corner
-    SolidParams solids[12];
-    RegionParams regions[13]; // of each solid, then of what surrounds them
+    ObjectParams objects[12];
+    RegionParams regions[13]; // of each object, then of what surrounds them
 };

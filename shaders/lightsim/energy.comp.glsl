@@ -1,0 +1,32 @@
+// The energy of a batch of photons: weights by what became of them, counts. Summed in a fixed order.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
+#include "shared/lightsim_params.h"
+#include "transport/params.glsl"
+#include "transport/status.glsl"
+
+layout(local_size_x = 64) in;
+layout(std140, binding = kParamsBlock) uniform Params { PhotonParams params; };
+layout(std430, binding = kPhotonsBuffer) readonly buffer Photons { Photon photons[]; };
+layout(std430, binding = kEnergyBuffer) writeonly buffer Energy { EnergySum energy[]; };
+
+void main() {
+    uint item = gl_GlobalInvocationID.x;
+    uint items = params.list.y;
+    if (item >= items) return;
+    EnergySum sum = EnergySum(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), uvec4(0u));
+    for (uint id = item; id < params.list.w; id += items) {
+        Photon photon = photons[id];
+        int status = int(photon.count.x);
+        if (status == kNone) continue;
+        vec4 weight = vec4(photon.weight.xyz, 0.0);
+        sum.remaining = vec4(sum.remaining.xyz + weight.xyz,
+                             max(sum.remaining.w, errorOf(photon.wave.w, int(photon.count.y))));
+        sum.absorbed += vec4(photon.absorbed.xyz, 0.0);
+        sum.scattered += vec4(photon.scattered.xyz, 0.0);
+        if (status == kLeft) sum.escaped += weight;
+        if (status == kDeep) sum.escaped.w += 1.0;
+        sum.count += uvec4(1u, photon.count.y, photon.count.z, status == kTrapped ? 1u : 0u);
+    }
+    energy[item] = sum;
+}

@@ -1,0 +1,148 @@
+// Photons through the volume (Sun et al. 2008, §4.4): along curved paths where the index varies, by Snell's
+// and Fresnel's laws at sharp boundaries. Every voxel they cross gets its exact share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// At an interface a photon goes one way, by its number. A work item carries one photon for some steps;
+// survivors go on the next list.
+#include "shared/bindings.h"
+#include "shared/lightsim_params.h"
+#include "transport/integrate.glsl"
+#include "transport/interface.glsl"
+#include "transport/path.glsl"
+
+#if !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION)
+#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION 0 or 1
+#endif
+const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
+const bool kDense = MEDIUM == 2;    // a voxel may have an optical depth above 0.25
+const bool kColour = CHANNELS == 3; // media or mirrors' tints differ by wavelength
+
+layout(local_size_x = 64) in;
+layout(std140, binding = kParamsBlock) uniform Params { PhotonParams params; };
+layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; uint overflowed; };
+layout(std430, binding = kPhotonsBuffer) buffer Photons { Photon photons[]; };
+layout(std430, binding = kListBuffer) readonly buffer List { uint list[]; };
+layout(std430, binding = kNextListBuffer) writeonly buffer NextList { uint nextList[]; };
+layout(binding = kAbsorptionUnit) uniform sampler3D absorption; // padded by one; grey: (σ_a, σ_s) [1/voxel]
+layout(binding = kScatteringUnit) uniform sampler3D scattering; // colour only
+#include "lightsim/deposit.glsl"
+#include "lightsim/step_limit.glsl"
+#include "lightsim/chance.glsl"
+
+const bool kSamples = true;
+const bool kMeasures = false;
+const bool kEqualSteps = false;
+#include "transport/trace.glsl"
+
+float stepLimit(Ray ray, float n) {
+    return leafLimitFrom(ray.x, ray.w / n) / n;
+}
+
+// Where coefficients vary within an object they are taken as one over a voxel, elsewhere over a leaf.
+float pieceLimit(int region, vec3 x, vec3 direction, float n) {
+    return !kMedium                                         ? 1.0e9
+           : kObjects == 0                                  ? leafLimitFrom(x, direction)
+           : kVaries && coefficientsVaryIn(region) ? 1.0
+                                                            : 1.0e9;
+}
+
+void fade(inout Path path) {
+    float brightest = kColour ? max(path.throughput.x, max(path.throughput.y, path.throughput.z))
+                              : path.throughput.x;
+    if (path.status == kAlive && brightest < params.limits.y) path.status = kFaded;
+}
+
+void onPiece(inout Path path, inout Load load, Piece piece) {
+    vec3 sigmaA = vec3(0.0);
+    vec3 sigmaS = vec3(0.0);
+    if (kMedium && kObjects == 0) {
+        vec3 at = coordinate(piece.middle);
+        vec4 a = textureLod(absorption, at, 0.0);
+        sigmaA = kColour ? a.xyz : vec3(a.x);
+        sigmaS = kColour ? textureLod(scattering, at, 0.0).xyz : vec3(a.y);
+    } else if (kMedium) {
+        Coefficients here = coefficientsAt(piece.region, piece.middle);
+        sigmaA = here.absorption;
+        sigmaS = here.scattering;
+    }
+    float share = deposit(path, load, piece.start, piece.along, sigmaA, sigmaS);
+    if (kOpaqueVoxels && share < 1.0) {
+        path.status = kStopped;
+        path.ray.x = piece.start + share * piece.along;
+    }
+    if (kMedium) fade(path);
+}
+
+void onSurface(inout Path path, inout Load load, Interface at) {}
+
+void onInterface(inout Path path, inout Load load, Interface at) {
+    if (path.depth >= int(params.depth.x)) {
+        path.status = kDeep;
+    } else {
+        Outgoing outgoing[kMostOutgoing];
+        int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
+        ++path.depth;
+        Outgoing ray = outgoing[0];
+        uint seed = load.id ^ pcgHash(params.depth.y + uint(path.depth));
+        if (rays > 1 && isWithin(load.chance, load.worth, outgoing[1].share, seed)) ray = outgoing[1];
+        // A mirror's tint: what it does not send back it has absorbed.
+        vec3 sent = path.throughput * ray.tint;
+        load.absorbed += path.throughput - sent;
+        path.throughput = sent;
+        path.ray.w = ray.w;
+        path.objects = ray.objects;
+        path.departs = ray.departs;
+        fade(path);
+    }
+}
+
+bool onEnd(inout Path path, inout Load load) {
+    return false;
+}
+
+Path pathOf(Photon photon) {
+    Path path = pathFrom(photon.place.xyz, photon.wave.xyz,
+                         int(min(photon.count.y + params.list.y, params.list.z)));
+    path.throughput = photon.weight.xyz;
+    if (kObjects > 0) {
+        path.objects = photon.count.w & 0xFFFFu;
+        path.depth = int(photon.count.w >> 16u);
+        path.departs = photon.place.w;
+    }
+    path.steps = int(photon.count.y);
+    path.error = photon.wave.w;
+    // Cut open by the domain's face.
+    if (isOpaque(regionOf(path.objects))) path.status = kStopped;
+    return path;
+}
+
+// As it is kept until the next launch, for which it is listed if it goes on.
+void keep(Path path, Load load) {
+    Photon photon;
+    photon.place = vec4(path.ray.x, path.departs);
+    photon.wave = vec4(path.ray.w, path.error);
+    photon.weight = vec4(path.throughput, load.phase);
+    photon.absorbed = vec4(load.absorbed, load.chance);
+    photon.scattered = vec4(load.scattered, load.worth);
+    photon.count = uvec4(path.status, path.steps, load.deposits,
+                         path.objects | uint(path.depth) << 16u);
+    photons[load.id] = photon;
+    if (path.status == kAlive) nextList[atomicAdd(nextCount, 1u)] = load.id;
+    if (load.fullest >= kNearFull) atomicOr(overflowed, 1u);
+}
+
+void main() {
+    if (gl_GlobalInvocationID.x >= params.list.x) return;
+    uint id = list[gl_GlobalInvocationID.x];
+    Photon photon = photons[id];
+    Path path = pathOf(photon);
+    Load load = Load(photon.absorbed.xyz, photon.scattered.xyz, photon.weight.w, photon.count.z, 0u,
+                     photon.absorbed.w, photon.scattered.w, id);
+    trace(path, load);
+    if (path.status == kAlive && path.steps >= int(params.list.z)) path.status = kTrapped;
+    if ((kOpaqueVoxels || kOpaqueObjects) && path.status == kStopped) {
+        load.absorbed += path.throughput; // opaque material takes what arrives
+        path.throughput = vec3(0.0);
+    }
+    keep(path, load);
+}

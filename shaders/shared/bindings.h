@@ -1,0 +1,47 @@
+// Where kernels find what they read and write. Read by C++ and GLSL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Uniform blocks.
+const int kParamsBlock = 0;    // what the kernel itself is told
+const int kTransportBlock = 2; // TransportParams
+const int kFieldBlock = 3;     // FieldParams
+const int kSceneBlock = 4;     // SceneParams
+
+// Textures of the transport core.
+const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
+const int kDistancesUnit = 9;    // spline coefficients of signed distances [voxel]
+const int kClearanceUnit = 10;   // how far off any interface is at least [voxel]
+const int kNearbyUnit = 11;      // bits of the objects that hold a voxel or are near it
+const int kAbsorptionsUnit = 12; // coefficients that vary within regions [1/voxel], g
+const int kScatteringsUnit = 13; // [1/voxel]
+const int kEmissionsUnit = 14;   // [radiance/voxel]
+
+// view: textures of blurred media, of light, of what surrounds the scene.
+const int kExtinctionUnit = 1;  // σ_t, or with the source of a grey medium beside it [1/voxel]
+const int kSourceUnit = 2;      // radiance gained per voxel of length
+const int kDirectionUnit = 3;   // light_direction in voxel space, g
+const int kEmissionUnit = 4;    // [radiance/voxel]
+const int kOpacityUnit = 5;     // opacity, albedo
+const int kFluenceUnit = 6;     // [W/m²]
+const int kEnvironmentUnit = 7; // radiance
+
+// view: storage buffers.
+const int kColoursBuffer = 0;
+const int kPixelPathsBuffer = 1;
+const int kCountersBuffer = 2;
+
+// lightsim: textures.
+const int kPhotonMapUnit = 0;  // where the light first meets the domain or the proxy [voxel]
+const int kLeavesUnit = 2;     // the octree's leaf of every 2×2×2 voxels
+const int kAbsorptionUnit = 3; // of blurred media, grey: (σ_a, σ_s) [1/voxel]
+const int kScatteringUnit = 4; // [1/voxel]
+const int kOpaqueUnit = 5;     // not 0 inside opaque voxels
+
+// lightsim: storage buffers.
+const int kCountBuffer = 0;    // photons on the next list; not 0 if a sum was near its end
+const int kPhotonsBuffer = 1;  // one per pixel of the photon map
+const int kListBuffer = 2;     // pixels whose photon goes on
+const int kNextListBuffer = 3; // those of the next launch
+const int kPlanesBuffer = 4;   // fixed-point sums per voxel, up to six buffers
+const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
+const int kTotalsBuffer = 6;   // resolve.comp: floats per voxel, up to six buffers

@@ -1,0 +1,86 @@
+// What a point is made of: an object's medium, or what surrounds them all.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Objects are numbered so that the first of those which hold a point rules it. A path carries one bit
+// for each object it is in; what it is in is a state that interfaces change, never looked up anew, so
+// that rounding can neither lose a boundary nor make one be met twice. Blurred boundaries are no
+// objects: one region is everywhere, and its index and coefficients vary.
+//
+// Coefficients are a region's own: no look-up mixes them with those beyond its boundary. Most are one
+// number for all of it, and cost no look-up.
+#include "transport/index_field.glsl"
+#include "transport/level_set.glsl"
+
+#if !defined(VARIES) || !defined(OPAQUE)
+#error VARIES and OPAQUE must be 0 or 1
+#endif
+const bool kVaries = VARIES == 1; // some object's coefficients vary within it
+const bool kOpaqueObjects = OPAQUE == 1 && kObjects > 0; // some object is opaque
+const bool kOpaqueVoxels = OPAQUE == 1 && kObjects == 0; // blurred: opaque material ends paths
+// A page of padded voxels along z for each region that varies.
+layout(binding = kAbsorptionsUnit) uniform sampler3D absorptions; // [1/voxel], g
+layout(binding = kScatteringsUnit) uniform sampler3D scatterings; // [1/voxel]
+layout(binding = kEmissionsUnit) uniform sampler3D emissions;     // [radiance/voxel]
+
+struct Coefficients {
+    vec3 absorption; // [1/voxel]
+    vec3 scattering; // [1/voxel]
+    float g;         // mean cosine of scattering [1]
+    vec3 emission;   // [radiance/voxel]
+};
+
+// +1 outside the object, −1 inside: turns its distance into that from this side.
+float sideOf(uint objects, int k) {
+    return ((objects >> k) & 1u) == 1u ? -1.0 : 1.0;
+}
+
+// The objects that hold x.
+uint objectsAt(vec3 x) {
+    vec3 at = (x + 0.5) * scene.voxel.xyz;
+    uint inside = kObjects == 1 ? 0u : textureLod(nearby, at, 0.0).x & 0xFFFFu;
+    uint close = closeTo(x);
+    for (int k = 0; k < kObjects; ++k)
+        if (((close >> k) & 1u) == 1u) {
+            float free = kObjects == 1 ? clearanceAt(x) : 0.0;
+            if (abs(free) < 2.0 * kRough) free = distanceAt(k, x).w;
+            inside &= ~(1u << k);
+            inside |= (free < 0.0 ? 1u : 0u) << k;
+        }
+    return inside;
+}
+
+// The region that rules where these objects are.
+int regionOf(uint objects) {
+    return kObjects == 0 ? 0 : findLSB(objects | (1u << kObjects));
+}
+
+bool isOpaque(int region) {
+    return kOpaqueObjects && scene.regions[region].index.z == 1.0;
+}
+
+bool indexVariesIn(int region) {
+    return kField > 0 && (kObjects == 0 || scene.regions[region].index.y == 1.0);
+}
+
+// The index of a region at x.
+float indexOf(int region, vec3 x) {
+    return kObjects == 0 || indexVariesIn(region) ? indexAt(x) : scene.regions[region].index.x;
+}
+
+bool coefficientsVaryIn(int region) {
+    return kObjects == 0 || (kVaries && scene.regions[region].absorption.w >= 0.0);
+}
+
+// Of sharp boundaries; blurred media are the entry file's.
+Coefficients coefficientsAt(int region, vec3 x) {
+    RegionParams here = scene.regions[region];
+    Coefficients found = Coefficients(here.absorption.xyz, here.scattering.xyz, here.scattering.w,
+                                      here.emission.xyz);
+    if (kVaries && here.absorption.w >= 0.0) {
+        vec3 at = (x + vec3(1.5, 1.5, 1.5 + here.absorption.w)) * scene.page.xyz;
+        vec4 absorption = textureLod(absorptions, at, 0.0);
+        found = Coefficients(max(absorption.xyz, vec3(0.0)), textureLod(scatterings, at, 0.0).xyz,
+                             absorption.w, textureLod(emissions, at, 0.0).xyz);
+    }
+    return found;
+}

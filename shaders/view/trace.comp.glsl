@@ -1,0 +1,241 @@
+// Viewing rays: from each pixel backwards through the volume (Sun et al. 2008, §4.5), along curved paths
+// where the index varies, by Snell's and Fresnel's laws at sharp boundaries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// At an interface a ray parts. What is refracted is followed first, what is reflected waits: so the first
+// branch to end is the one that refracts wherever it can.
+#include "shared/bindings.h"
+#include "shared/view_params.h"
+#include "transport/integrate.glsl"
+#include "transport/interface.glsl"
+#include "transport/path.glsl"
+
+#if !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || !defined(MAP) || \
+    !defined(AOVS) || !defined(WAITING)
+#error SOURCE must be 0 to 2, CHANNELS 0, 1, 3, EMISSION, MAP, AOVS 0 or 1, WAITING from 1
+#endif
+const bool kDims = CHANNELS > 0;      // something absorbs or scatters
+const bool kColour = CHANNELS == 3;   // it does so, or glows, by wavelength
+const bool kGlows = SOURCE > 0;       // light is scattered towards the eye; if blurred, or emitted
+const bool kLobes = SOURCE == 2;      // scattering prefers a direction
+const bool kEmission = EMISSION == 1; // something emits; if blurred, beside lobes
+const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
+const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(std140, binding = kParamsBlock) uniform Params { ViewParams params; };
+layout(std430, binding = kColoursBuffer) buffer Colours { vec4 colours[]; };
+layout(std430, binding = kPixelPathsBuffer) writeonly buffer Paths { PixelPath paths[]; };
+layout(std430, binding = kCountersBuffer) buffer Counters { uvec2 counters[]; };
+// All padded by one voxel; the first two and the emission are of blurred media.
+layout(binding = kExtinctionUnit) uniform sampler3D extinctions; // grey: (σ_t, source) [1/voxel]
+layout(binding = kSourceUnit) uniform sampler3D sources;         // radiance per voxel of length
+layout(binding = kDirectionUnit) uniform sampler3D lightDirection; // in voxel space; g
+layout(binding = kEmissionUnit) uniform sampler3D emission;
+layout(binding = kOpacityUnit) uniform sampler3D surface; // opacity, albedo
+layout(binding = kFluenceUnit) uniform sampler3D fluence; // [W/m²]
+
+#include "view/environment.glsl"
+#include "view/camera_ray.glsl"
+#include "view/counters.glsl"
+#include "view/surface.glsl"
+
+// What a pixel's ray has met on all its branches so far.
+struct Load {
+    vec3 light;     // L/n² from media and surfaces
+    vec3 sky;       // L/n² from behind the domain
+    int interfaces; // met
+    float deep;     // shares dropped because they had met too many interfaces
+    float dim;      // shares dropped because they were small
+    bool trapped;   // some branch
+    bool first;     // the first branch is on its way
+    Path firstPath; // where that ended
+    vec3 clear;     // opaque voxels: the last point known to be outside them
+    vec3 inside;    // a point within them, when stopped
+};
+
+#include "view/gather.glsl"
+
+const bool kGathers = kDims || kGlows || kEmission;
+const bool kSamples = kGathers || kOpaqueVoxels;
+const bool kMeasures = kAovs;
+const bool kEqualSteps = true;
+#include "transport/trace.glsl"
+
+// Branches that wait: a ray's own, in the order they parted.
+struct Branch {
+    Ray ray;
+    vec3 throughput;
+    uint objects;
+    int depth;
+    float departs;
+};
+Branch waiting[WAITING];
+int waitingCount = 0;
+
+float stepLimit(Ray ray, float n) {
+    return kIntegrator == kEuler ? transport.steps.w / n : transport.steps.x;
+}
+
+// Light varies from voxel to voxel; what a region is made of mostly does not.
+float pieceLimit(int region, vec3 x, vec3 direction, float n) {
+    bool glows = kGlows && (kObjects == 0 || scene.regions[region].scattering.xyz != vec3(0.0));
+    return glows || coefficientsVaryIn(region) ? min(transport.steps.w, 1.0) : 1.0e9;
+}
+
+void onPiece(inout Path path, inout Load load, Piece piece) {
+    if (kOpaqueVoxels && opacityAt(piece.middle) > 0.5) {
+        path.status = kStopped;
+        path.ray.x = piece.start;
+        load.inside = piece.middle;
+    } else {
+        load.clear = piece.middle;
+        if (kGathers)
+            gather(path, load, piece.middle, piece.direction, piece.extent, piece.n, piece.region);
+    }
+}
+
+void onSurface(inout Path path, inout Load load, Interface at) {
+    ++load.interfaces;
+    float n2 = dot(path.ray.w, path.ray.w);
+    load.light += path.throughput *
+                  reflectedLight(at.x, -at.normal, scene.regions[at.there].albedo.xyz) / n2;
+}
+
+float brightest(vec3 share) {
+    return max(share.x, max(share.y, share.z));
+}
+
+float meanOf(vec3 share) {
+    return (share.x + share.y + share.z) / 3.0;
+}
+
+void follow(inout Path path, Branch branch) {
+    path.ray = branch.ray;
+    path.throughput = branch.throughput;
+    path.objects = branch.objects;
+    path.depth = branch.depth;
+    path.departs = branch.departs;
+}
+
+Branch branchOf(Path path, vec3 x, Outgoing ray) {
+    return Branch(Ray(x, ray.w), path.throughput * ray.share * ray.tint, ray.objects, path.depth + 1,
+                  ray.departs);
+}
+
+// Whether a branch is bright enough to be followed; what is not is counted.
+bool isWorth(inout Load load, Branch branch) {
+    bool worth = brightest(branch.throughput) >= params.medium.y;
+    if (!worth) load.dim += meanOf(branch.throughput);
+    return worth;
+}
+
+void wait(inout Load load, Branch branch) {
+    if (isWorth(load, branch)) waiting[waitingCount++] = branch;
+}
+
+void onInterface(inout Path path, inout Load load, Interface at) {
+    ++load.interfaces;
+    if (path.depth >= params.limits.y) {
+        load.deep += meanOf(path.throughput);
+        path.status = kDeep;
+    } else {
+        Outgoing outgoing[kMostOutgoing];
+        int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
+        // By a constant place, not in a loop: what is read at a variable one lives in memory.
+        if (rays > 1) wait(load, branchOf(path, at.x, outgoing[1]));
+        Branch next = branchOf(path, at.x, outgoing[0]);
+        if (!isWorth(load, next)) path.status = kFaded;
+        follow(path, next);
+    }
+}
+
+// Where opaque voxels begin, between the last point outside them and the one inside.
+void reachVoxels(inout Path path, inout Load load) {
+    vec3 outside = load.clear;
+    vec3 inside = load.inside;
+    for (int i = 0; i < 12; ++i) {
+        vec3 middle = 0.5 * (outside + inside);
+        if (opacityAt(middle) > 0.5) inside = middle;
+        else outside = middle;
+    }
+    float n = length(path.ray.w);
+    vec3 direction = path.ray.w / n;
+    float extent = max(dot(inside - path.ray.x, direction), 0.0);
+    if (kGathers)
+        gather(path, load, 0.5 * (path.ray.x + inside), direction, extent, n, 0);
+    if (kMeasures) path.lengths += dvec2(extent * n, extent);
+    path.ray.x = inside;
+    load.light += path.throughput * voxelSurfaceLight(inside) / (n * n);
+}
+
+bool onEnd(inout Path path, inout Load load) {
+    if (path.status == kAlive) path.status = kTrapped;
+    if (kOpaqueVoxels && path.status == kStopped) reachVoxels(path, load);
+    if (path.status == kLeft || path.status == kTrapped) // it sees what is straight ahead
+        load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) /
+                    (params.medium.x * params.medium.x);
+    load.trapped = load.trapped || path.status == kTrapped;
+    if (load.first) load.firstPath = path;
+    load.first = false;
+    bool more = kObjects > 0 && waitingCount > 0;
+    if (more) {
+        follow(path, waiting[--waitingCount]);
+        path.status = kAlive;
+        path.mostSteps = path.steps + params.limits.x;
+    }
+    return more;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= params.picture.x || pixel.y >= params.picture.w) return;
+    int at = pixel.y * params.picture.x + pixel.x;
+    pixel.y += params.picture.z;
+
+    CameraRay camera = cameraRayOf(pixel);
+    Path path = pathFrom(camera.start, camera.direction, params.limits.x);
+    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, true, path, camera.start, camera.start);
+    float n = params.medium.x; // at the eye
+    if (camera.hits) {
+        path.objects = objectsAt(camera.start);
+        int region = regionOf(path.objects);
+        float entry = indexOf(region, camera.start);
+        if (camera.within) n = entry;
+        path.ray.w *= entry;
+        if (isOpaque(region)) { // cut open by the domain's face
+            path.status = kStopped;
+            load.light = reflectedLight(camera.start, faceNormal(camera.start),
+                                        scene.regions[region].albedo.xyz) / (n * n);
+        }
+        trace(path, load);
+        count(kRays, 1u);
+        count(kSteps, uint(path.steps));
+        if (load.trapped) count(kTrappedRays, 1u);
+        if (kObjects > 0) {
+            count(kInterfaces, uint(load.interfaces));
+            countShare(kDroppedByDepth, load.deep);
+            countShare(kDroppedAsDim, load.dim);
+        }
+        if (kIntegrator == kAdaptive) noteError(errorOf(path.error, path.steps));
+    } else {
+        load.sky = backgroundLight(camera.direction) / (n * n);
+    }
+    Path first = load.firstPath;
+    vec3 direction = normalize(first.ray.w);
+    vec3 turned = direction - camera.direction;
+    bool stopped = first.status == kStopped;
+    // Where no gradient acted the direction is the same but for rounding.
+    bool changed = load.interfaces > 0 || stopped || dot(turned, turned) > 1.0e-12 ||
+                   first.throughput != vec3(1.0) || load.light != vec3(0.0);
+    putColour(at, vec4((load.light + load.sky) * (n * n), changed ? 1.0 : 0.0));
+    if (kAovs && params.pattern.z == 1.0) {
+        PixelPath found;
+        found.place = vec4(first.ray.x, first.lengths.x);
+        found.direction = vec4(direction, first.lengths.y);
+        found.through = vec4(stopped ? vec3(0.0) : first.throughput, float(first.steps));
+        float atExit = camera.hits ? indexOf(regionOf(first.objects), first.ray.x) : 1.0;
+        found.error = vec4(abs(length(first.ray.w) - atExit), camera.hits ? 0.0 : 1.0, 0.0, 0.0);
+        paths[at] = found;
+    }
+}
