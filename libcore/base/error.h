@@ -47,4 +47,10 @@ using MemoryError = ErrorOf<ExitStatus::memory>;
 using CreateError = ErrorOf<ExitStatus::cantCreate>;
 using IoError = ErrorOf<ExitStatus::io>;
 
+/// Throws UsageError of an option whose value does not hold: what was found, and what was wanted.
+inline void requireOption(bool holds, const std::string& option, const std::string& found,
+                          const std::string& wanted) {
+    if (!holds) throw UsageError(option + ": found " + found + ", expected " + wanted);
+}
+
 } // namespace eikonal

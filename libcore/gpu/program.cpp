@@ -173,11 +173,6 @@ void Program::dispatch(glm::ivec3 items) const {
                       static_cast<GLuint>(groups.z));
 }
 
-void Program::dispatchIndirect(std::int64_t offset) const {
-    use();
-    glDispatchComputeIndirect(offset);
-}
-
 void drawTriangles(const Program& program, std::int64_t vertices, int width, int height,
                    const Texture* target) {
     GLuint framebuffer = 0, vertexArray = 0, depth = 0;

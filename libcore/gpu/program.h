@@ -49,8 +49,6 @@ public:
     void use() const;
     /// Runs enough work groups for `items` work items (x, y, z).
     void dispatch(glm::ivec3 items) const;
-    /// The number of work groups lies in the bound indirect buffer at `offset` bytes.
-    void dispatchIndirect(std::int64_t offset) const;
 
 private:
     void link(const std::vector<std::pair<unsigned, std::string>>& stages,

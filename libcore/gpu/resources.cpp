@@ -57,10 +57,6 @@ void Buffer::bindUniform(unsigned binding) const {
     glBindBufferBase(GL_UNIFORM_BUFFER, binding, mName);
 }
 
-void Buffer::bindIndirect() const {
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, mName);
-}
-
 namespace {
 
 struct FormatFacts {

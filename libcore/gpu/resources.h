@@ -29,7 +29,6 @@ public:
     void clear(); ///< to zero bytes
     void bindStorage(unsigned binding) const;
     void bindUniform(unsigned binding) const;
-    void bindIndirect() const; ///< as the source of Program::dispatchIndirect
     std::int64_t bytes() const { return mBytes; }
 
 private:

@@ -4,23 +4,14 @@
 
 #include "base/progress.h"
 #include "lightsim/plan.h"
+#include "lightsim/result.h"
 
 namespace eikonal::lightsim {
 
-/// Photon-map pixels traced at a time; more are done in interleaved batches, so that memory does
-/// not grow with the number of photons.
-constexpr std::int64_t kBatchPixels = 1 << 20;
-
-/// Grids over the volume's domain; a grid not asked for is empty.
-struct Result {
-    volume::DenseGrid fluence;   ///< RGB [W/m²]
-    volume::DenseGrid direction; ///< mean direction of travel in world space, length <= 1
-};
-
-/// Traces every light's photons. Fills passes, counters and energy of `stats`. Throws MemoryError
-/// before the work if the device can't hold it.
-Result simulate(gpu::Device& device, const volume::Volume& volume, const Plan& plan,
-                const Params& params, Stats& stats, const Progress& progress);
+/// Sends every light through the scene. Fills passes, counters and energy of `stats`. Throws
+/// MemoryError before the work if the device can't hold it.
+Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats,
+                const Progress& progress);
 
 /// The octree that `simulate` steps by: per voxel the level of its leaf, and the longest step
 /// there [voxel], 1e6 standing for no limit.

@@ -33,14 +33,15 @@ std::vector<ivec4> layLevels(ivec3 size) {
 
 /// σ_t of the channel that dims most [1/voxel], or nothing if it is the same in every voxel.
 std::vector<float> extinctionPerVoxel(const Plan& plan) {
-    if (!plan.attenuates || plan.sharp) return {};
+    if (!plan.attenuates || plan.scene.sharp) return {};
     std::vector<float> sigma(static_cast<size_t>(plan.voxels()));
-    const auto h = static_cast<float>(plan.voxelSize);
+    const auto h = static_cast<float>(plan.scene.voxelSize());
+    const scene::Region& medium = plan.scene.medium();
     bool varies = false;
     for (size_t i = 0; i < sigma.size(); ++i) {
         for (int c = 0; c < plan.tracedChannels(); ++c)
             sigma[i] =
-                std::max(sigma[i], (plan.absorption.at(i, c) + plan.scattering.at(i, c)) * h);
+                std::max(sigma[i], (medium.absorption.at(i, c) + medium.scattering.at(i, c)) * h);
         varies |= sigma[i] != sigma[0];
     }
     return varies ? sigma : std::vector<float>();
@@ -49,7 +50,7 @@ std::vector<float> extinctionPerVoxel(const Plan& plan) {
 } // namespace
 
 gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& params) {
-    const std::vector<ivec4> levels = layLevels(plan.size);
+    const std::vector<ivec4> levels = layLevels(plan.scene.size());
     const int top = static_cast<int>(levels.size()) - 1;
     gpu::Texture leaves(device, ivec3(levels[0]), gpu::TexelFormat::r32ui, gpu::Filter::nearest);
     const std::vector<float> extinction = extinctionPerVoxel(plan);
@@ -63,23 +64,23 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
         return gpu::Buffer(device, static_cast<std::int64_t>(values.size() * sizeof(float)),
                            values.data());
     };
-    const gpu::Buffer index = upload(plan.bends ? plan.index.grid.values : std::vector<float>());
+    const gpu::Buffer index = upload(plan.bends ? plan.scene.index.grid.values : std::vector<float>());
     const gpu::Buffer dimming = upload(extinction);
     const gpu::Buffer pyramid(device, (std::int64_t{levels.back().w} + 1) * 16);
     const gpu::Buffer table(device, static_cast<std::int64_t>(levels.size() * sizeof(ivec4)),
                             levels.data());
-    index.bindStorage(0);
-    pyramid.bindStorage(1);
-    table.bindStorage(2);
-    dimming.bindStorage(3);
+    index.bindStorage(kIndexBuffer);
+    pyramid.bindStorage(kPyramidBuffer);
+    table.bindStorage(kLevelsBuffer);
+    dimming.bindStorage(kExtinctionBuffer);
 
     OctreeParams values{};
-    values.size = ivec4(plan.size, top);
+    values.size = ivec4(plan.scene.size(), top);
     values.limits = vec4(params.tolerance, params.secondTolerance, params.stepLimit, 0);
     const gpu::Program pass(device, "lightsim/pyramid.comp.glsl",
                             {{"INDEX", plan.bends}, {"EXTINCTION", !extinction.empty()}});
     gpu::Buffer block(device, sizeof values);
-    block.bindUniform(0);
+    block.bindUniform(kParamsBlock);
     for (int level = 0; level <= top; ++level) {
         values.nodes = ivec4(ivec3(levels[static_cast<size_t>(level)]), level);
         values.source = levels[static_cast<size_t>(std::max(level - 1, 0))];
@@ -92,7 +93,7 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
     const gpu::Program label(device, "lightsim/leaves.comp.glsl", {});
     values.nodes = levels[0];
     block.upload(&values, sizeof values);
-    leaves.bindImage(0);
+    leaves.bindImage(kLeavesImage);
     label.dispatch(ivec3(levels[0]));
     gpu::barrier();
     device.check("the octree");
@@ -101,7 +102,7 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
 
 OctreeDump dumpOctree(gpu::Device& device, const Plan& plan, const Params& params) {
     OctreeDump dump;
-    dump.level.size = dump.stepLimit.size = plan.size;
+    dump.level.size = dump.stepLimit.size = plan.scene.size();
     const auto voxels = static_cast<size_t>(plan.voxels());
     dump.level.values.assign(voxels, 0);
     dump.stepLimit.values.assign(voxels, 1e6f);
@@ -110,9 +111,9 @@ OctreeDump dumpOctree(gpu::Device& device, const Plan& plan, const Params& param
     std::vector<std::uint32_t> packed(static_cast<size_t>(pairs.x) * pairs.y * pairs.z);
     leaves.download(packed.data(), static_cast<std::int64_t>(packed.size() * 4));
     size_t i = 0;
-    for (int z = 0; z < plan.size.z; ++z)
-        for (int y = 0; y < plan.size.y; ++y)
-            for (int x = 0; x < plan.size.x; ++x, ++i) {
+    for (int z = 0; z < plan.scene.size().z; ++z)
+        for (int y = 0; y < plan.scene.size().y; ++y)
+            for (int x = 0; x < plan.scene.size().x; ++x, ++i) {
                 const std::uint32_t leaf =
                     packed[(static_cast<size_t>(z / 2) * pairs.y + y / 2) * pairs.x + x / 2];
                 dump.level.values[i] = static_cast<float>(leaf & 31u);

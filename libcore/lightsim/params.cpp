@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace eikonal::lightsim {
 
@@ -19,36 +18,9 @@ void require(bool holds, const std::string& option, double found, const std::str
 
 } // namespace
 
-Light parseLight(const std::string& spec) {
-    const std::string wanted = "directional:DX,DY,DZ[:R,G,B] or point:X,Y,Z[:R,G,B]";
-    const auto bad = [&](const std::string& why) {
-        return UsageError("--light: found '" + spec + "' (" + why + "), expected " + wanted);
-    };
-    const std::vector<std::string> parts = split(spec, ':');
-    Light light;
-    if (parts[0] == "directional")
-        light.kind = Light::Kind::directional;
-    else if (parts[0] == "point")
-        light.kind = Light::Kind::point;
-    else
-        throw bad("no such kind of light");
-    if (parts.size() < 2 || parts.size() > 3) throw bad("wrong number of parts");
-    const auto vector = parseNumbers(parts[1]);
-    if (!vector || vector->size() != 3) throw bad("no three numbers");
-    light.vector = {(*vector)[0], (*vector)[1], (*vector)[2]};
-    if (light.kind == Light::Kind::directional) {
-        const double length = glm::length(light.vector);
-        if (!(length > 0) || !std::isfinite(length)) throw bad("the direction has no length");
-        light.vector /= length;
-    }
-    if (parts.size() == 3) {
-        const auto rgb = parseNumbers(parts[2]);
-        if (!rgb || (rgb->size() != 3 && rgb->size() != 1)) throw bad("no three numbers");
-        const size_t last = rgb->size() - 1;
-        light.rgb = {(*rgb)[0], (*rgb)[last / 2], (*rgb)[last]};
-        if (light.rgb.x < 0 || light.rgb.y < 0 || light.rgb.z < 0) throw bad("a colour below 0");
-    }
-    return light;
+Method parseMethod(const std::string& name) {
+    if (name == "photons") return Method::photons;
+    throw UsageError("--method: found '" + name + "', expected photons");
 }
 
 std::int64_t photonCount(double number) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lightsim/lights.h"
 #include "optics/tracing.h"
 
 #include <cstdint>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace eikonal::lightsim {
-
-struct Light {
-    enum class Kind { directional, point } kind = Kind::directional;
-    glm::dvec3 vector{0, -1, 0}; ///< direction of travel, or position in the world [unit]
-    glm::dvec3 rgb{1};           ///< irradiance [W/m²], or radiant intensity [W/sr]
-};
-
-/// `directional:DX,DY,DZ[:R,G,B]` or `point:X,Y,Z[:R,G,B]`. Throws UsageError.
-Light parseLight(const std::string& spec);
 
 /// A number of photons as written by people (1e6). Throws UsageError if it is not whole, below 1 or
 /// above 2^40.
@@ -29,7 +21,14 @@ enum class Output : unsigned { none = 0, fluence = 1, direction = 2, both = 3 };
 /// Three corners a triangle, outward, in the world [unit].
 using Triangles = std::vector<glm::dvec3>;
 
+/// How light is carried.
+enum class Method { photons };
+
+/// Throws UsageError.
+Method parseMethod(const std::string& name);
+
 struct Params {
+    Method method = Method::photons;
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
     std::vector<Light> lights;
     std::int64_t photons = 1 << 20; ///< pixels of each light's photon map

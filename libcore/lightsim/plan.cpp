@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/plan.h"
 
-#include "base/error.h"
 #include "base/text.h"
-#include "lightsim/lightsim.h"
-#include "lightsim/plan_sharp.h"
-#include "medium/surfaces.h"
+#include "lightsim/photons.h"
+#include "scene/effects.h"
+#include "scene/transport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,139 +14,125 @@ namespace eikonal::lightsim {
 
 namespace {
 
+using scene::Region;
+
 bool isGrey(const glm::dvec3& rgb) {
     return rgb.x == rgb.y && rgb.y == rgb.z;
 }
 
-/// What a render of the file would read: light where it scatters or meets an opaque surface.
-Output neededOutputs(const volume::Volume& volume, const Plan& plan) {
-    if (!plan.scattering.present && !plan.opacity.present) return Output::none;
-    const bool lobes = plan.scattering.present &&
-                       medium::readCoefficient(volume, "anisotropy", volume.domain()).present;
-    return lobes || plan.opacity.present ? Output::both : Output::fluence;
+bool receives(const scene::Scene& scene) {
+    return scene.sharp ? scene.anyOpaque() : scene.anyHas(&Region::opacity);
 }
 
-/// The largest optical depth of a voxel's diagonal in any channel.
+/// What a render of the file would read: light where it scatters or falls on an opaque surface.
+Output neededOutputs(const scene::Scene& scene) {
+    if (!scene.showsLight()) return Output::none;
+    const bool direction = receives(scene) || scene.anyHas(&Region::anisotropy);
+    return direction ? Output::both : Output::fluence;
+}
+
+/// The largest optical depth of a voxel's diagonal in any region and traced channel, or more.
 double deepestVoxel(const Plan& plan) {
-    if (!plan.attenuates) return 0;
     float most = 0;
-    const auto voxels = static_cast<size_t>(plan.voxels());
-    for (int c = 0; c < plan.tracedChannels(); ++c)
-        for (size_t i = 0; i < voxels; ++i)
-            most = std::max(most, plan.absorption.at(i, c) + plan.scattering.at(i, c));
-    return std::sqrt(3.0) * plan.voxelSize * static_cast<double>(most);
+    for (const Region& region : plan.scene.regions)
+        for (int c = 0; c < plan.tracedChannels(); ++c)
+            most = std::max(most, region.absorption.most(c) + region.scattering.most(c));
+    return std::sqrt(3.0) * plan.scene.voxelSize() * static_cast<double>(most);
 }
 
-std::string present(const std::string& grid, const medium::Coefficient& coefficient) {
-    return coefficient.present ? "grid '" + grid + "'" : "no grid '" + grid + "', or 0 everywhere";
+/// Why light is stored at all.
+std::string whyStored(const Plan& plan, const Params& params, const std::vector<Effect>& all) {
+    if (!params.automaticOutputs) return "--outputs";
+    const Effect scattering = scene::effectNamed(all, "scattering");
+    if (scattering.on) return plan.scene.sharp ? "scattering: " + scattering.why : scattering.why;
+    if (!receives(plan.scene))
+        return plan.scene.sharp ? "nothing scatters or receives light"
+                                : "no grid scatters or receives light";
+    const std::string why = scene::effectNamed(all, "opaque").why;
+    return plan.scene.sharp ? "opaque: " + why : why;
 }
 
-void listBlurredEffects(Plan& plan, const Params& params) {
-    const auto add = [&plan](const std::string& name, bool on, const std::string& why) {
-        plan.effects.push_back({name, on, why});
+void listEffects(Plan& plan, const Params& params) {
+    const std::vector<Effect> all = scene::effectsOf(plan.scene, params.tracing.boundary);
+    const bool sharp = plan.scene.sharp, runs = plan.outputs != Output::none;
+    const auto add = [&plan](Effect effect) { plan.effects.push_back(std::move(effect)); };
+    const auto named = [&](const std::string& name) {
+        Effect effect = scene::effectNamed(all, name);
+        effect.on = effect.on && runs;
+        return effect;
     };
-    const bool runs = plan.outputs != Output::none;
-    const std::string asked = params.automaticOutputs
-                                  ? (plan.scattering.present ? "grid 'scattering'"
-                                     : plan.opacity.present  ? "grid 'opacity'"
-                                                             : "no grid scatters or receives light")
-                                  : "--outputs";
-    add("fluence", plan.wants(Output::fluence), asked);
-    const bool direction = plan.wants(Output::direction);
-    add("light_direction", direction,
-        !params.automaticOutputs ? "--outputs"
-        : !runs                  ? asked
-        : direction              ? (plan.opacity.present ? "grid 'opacity'" : "grid 'anisotropy'")
-                                 : "scattering is isotropic");
-    add("refraction", runs && plan.bends,
-        !runs        ? "nothing to simulate"
-        : plan.bends ? "grid 'ior'"
-                     : "the index is " + toText(plan.index.least) + " everywhere");
-    add("absorption", runs && plan.absorption.present, present("absorption", plan.absorption));
-    add("scattering", runs && plan.scattering.present, present("scattering", plan.scattering));
-    add("colour", runs && plan.colour,
-        plan.attenuates ? (plan.colour ? "coefficients differ by wavelength" : "the medium is grey")
-                        : "nothing absorbs or scatters");
-    add("opaque", runs && plan.opaque, present("opacity", plan.opacity));
-}
-
-void listEffects(Plan& plan, const Params& params, const volume::Volume& volume) {
-    const bool runs = plan.outputs != Output::none;
-    plan.effects.push_back({"sharp_boundaries", runs && plan.sharp,
-                            plan.sharp ? "grid 'sdf'"
-                            : params.tracing.boundary == optics::Boundary::blurred
-                                ? "--boundary blurred"
-                                : "no grid 'sdf'"});
-    if (plan.sharp)
-        listSharpEffects(plan, params);
-    else
-        listBlurredEffects(plan, params);
-    if (volume.has("dispersion"))
-        plan.effects.push_back({"dispersion", false, "photons are traced at 587.6 nm alone"});
-    if (runs && plan.index.jumpAtFaces > 1e-3f)
-        plan.warnings.push_back("the index jumps by " + toText(plan.index.jumpAtFaces) +
-                                " at the domain's faces, which do not refract");
-    if (runs && !params.proxy.empty() && plan.attenuates)
-        plan.warnings.push_back("--proxy skips the medium between the domain's faces and the "
-                                "proxy: it neither dims nor receives light there");
-}
-
-void planBlurred(Plan& plan, const volume::Volume& volume, const Params& params) {
-    plan.scattering = medium::readCoefficient(volume, "scattering", volume.domain());
-    plan.opacity = medium::readCoefficient(volume, "opacity", volume.domain());
-    plan.outputs = params.automaticOutputs ? neededOutputs(volume, plan) : params.outputs;
-    if (plan.outputs != Output::none) {
-        plan.index = medium::readIndex(volume, volume.domain());
-        plan.absorption = medium::readCoefficient(volume, "absorption", volume.domain());
+    const auto nothing = [&](Effect effect) {
+        return runs ? effect : Effect{effect.name, false, "nothing to simulate"};
+    };
+    add(named("sharp_boundaries"));
+    const std::string stored = whyStored(plan, params, all);
+    add({"fluence", plan.wants(Output::fluence), stored});
+    std::string direction = stored;
+    if (params.automaticOutputs && runs) {
+        const Effect opaque = named("opaque"), lobes = named("anisotropy");
+        const std::string of = sharp ? (receives(plan.scene) ? "opaque: " : "anisotropy: ") : "";
+        direction = of + (receives(plan.scene) ? opaque.why : lobes.why);
+        if (!sharp && !plan.wants(Output::direction)) direction = "scattering is isotropic";
     }
-    plan.bends = plan.index.varies();
-    plan.attenuates = plan.absorption.present || plan.scattering.present;
-    plan.colour = !plan.absorption.grey || !plan.scattering.grey;
-    plan.dense = deepestVoxel(plan) > 0.25;
-    plan.opaque = plan.opacity.present &&
-                  std::any_of(plan.opacity.grid.values.begin(), plan.opacity.grid.values.end(),
-                              [](float opacity) { return opacity > 0.5f; });
+    add({"light_direction", plan.wants(Output::direction), direction});
+    add(nothing(named("refraction")));
+    if (sharp) add(nothing(named("curved_rays")));
+    add(named("absorption"));
+    add(named("scattering"));
+    add({"colour", runs && plan.colour,
+         plan.colour        ? (sharp ? "coefficients or mirrors differ by wavelength"
+                                     : "coefficients differ by wavelength")
+         : sharp            ? "media and mirrors are grey"
+         : plan.attenuates ? "the medium is grey"
+                            : "nothing absorbs or scatters"});
+    add(named("opaque"));
+    if (plan.scene.disperses) add(named("dispersion"));
 }
 
 } // namespace
 
 Plan makePlan(const volume::Volume& volume, const Params& params) {
     Plan plan;
-    plan.size = volume.domain().size();
-    plan.voxelSize = volume.frame().voxelSize;
-    plan.sharp =
-        params.tracing.boundary == optics::Boundary::sharp ||
-        (params.tracing.boundary == optics::Boundary::automatic && !volume.objects().empty());
-    if (plan.sharp)
-        planSharp(plan, volume, params);
-    else
-        planBlurred(plan, volume, params);
+    scene::Wanted wanted;
+    wanted.boundary = params.tracing.boundary;
+    wanted.onlyIfLightShows = params.automaticOutputs;
+    plan.scene = scene::read(scene::Files(volume), wanted);
+    const scene::Scene& scene = plan.scene;
+    plan.outputs = params.automaticOutputs ? neededOutputs(scene) : params.outputs;
+    plan.bends = scene.index.varies();
+    plan.attenuates = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
+    plan.colour = scene.anyColoured({&Region::absorption, &Region::scattering}) ||
+                  (scene.sharp && scene.anyColoured({&Region::reflectance}));
+    plan.dense = deepestVoxel(plan) > 0.25;
+    plan.opaque = scene.anyOpaque();
     for (const Light& light : params.lights) plan.colouredLight |= !isGrey(light.rgb);
-    listEffects(plan, params, volume);
+    listEffects(plan, params);
+    if (plan.outputs == Output::none) return plan;
+    plan.warnings = scene::warningsOf(scene);
+    if (!params.proxy.empty() && plan.attenuates)
+        plan.warnings.push_back("--proxy skips the medium between the domain's faces and the "
+                                "proxy: it neither dims nor receives light there");
     return plan;
 }
 
 std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
-    std::vector<gpu::Need> needs;
+    const glm::ivec3 size = plan.scene.size();
     const std::int64_t voxels = plan.voxels();
-    const int edge = std::max({plan.size.x, plan.size.y, plan.size.z});
+    const int edge = std::max({size.x, size.y, size.z});
+    std::vector<gpu::Need> needs = scene::transportNeeds(plan.scene, params.tracing);
     for (int plane = 0; plane < plan.planes(); ++plane)
-        needs.push_back({"a plane of light (" + std::to_string(plan.size.x) + " x " +
-                             std::to_string(plan.size.y) + " x " + std::to_string(plan.size.z) +
-                             " voxels)",
+        needs.push_back({"a plane of light (" + std::to_string(size.x) + " x " +
+                             std::to_string(size.y) + " x " + std::to_string(size.z) + " voxels)",
                          voxels * 4, true, 0});
-    const int floats = plan.fluenceChannels() + (plan.wants(Output::direction) ? 3 : 0) + 1;
+    const int floats = plan.fluenceChannels() + plan.directionChannels() + 1;
     needs.push_back({"the summed light", voxels * 4 * floats, false, 0});
-    if (plan.bends) needs.push_back(medium::fieldNeed(plan.size, params.tracing.sampling()));
-    if (plan.sharp)
-        for (const gpu::Need& need : medium::surfaceNeeds(plan.objects)) needs.push_back(need);
-    if (plan.bends || (plan.attenuates && !plan.sharp))
+    if (plan.bends || (plan.attenuates && !plan.scene.sharp))
         needs.push_back(
             {"the octree", voxels / 8 * (4 + 3 * 16) + voxels * 8, false, (edge + 1) / 2});
-    if (plan.attenuates && !plan.sharp)
+    if (plan.attenuates && !plan.scene.sharp)
         needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge + 2});
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
-    needs.push_back({"the photons", pixels * (96 + 2 * 4 + 16), true, 0});
+    needs.push_back({"the photons", pixels * kBytesPerPhoton, true, 0});
     return needs;
 }
 

@@ -5,40 +5,40 @@
 #include "base/stats.h"
 #include "gpu/device.h"
 #include "lightsim/params.h"
-#include "medium/field.h"
-#include "medium/medium.h"
-#include "medium/objects.h"
-#include "volume/volume.h"
+#include "scene/scene.h"
 
 #include <vector>
 
 namespace eikonal::lightsim {
 
-/// The volume as the light sees it, and which effects are worth simulating.
+/// Photon-map pixels traced at a time; more are done in interleaved batches, so that memory does
+/// not grow with the number of photons.
+constexpr std::int64_t kBatchPixels = 1 << 20;
+
+/// The scene as the light sees it, and which effects are worth simulating.
 struct Plan {
-    glm::ivec3 size{0};   ///< [voxel]
-    double voxelSize = 1; ///< [unit]
+    scene::Scene scene;
     Output outputs = Output::none;
-    bool sharp = false;      ///< boundaries are the zeros of signed distances
     bool bends = false;      ///< the index varies, of sharp objects within one region
     bool attenuates = false; ///< something absorbs or scatters
     bool dense = false;      ///< a voxel's diagonal may have an optical depth above 0.25
-    bool colour = false;     ///< it does so by wavelength: three traced channels, not one
+    bool colour = false;     ///< media or mirrors differ by wavelength: three traced channels
     bool colouredLight = false;
     bool opaque = false;
-    medium::Index index;
-    medium::Coefficient absorption, scattering, opacity; ///< blurred
-    medium::Objects objects;                             ///< sharp
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
     bool wants(Output output) const {
         return (static_cast<unsigned>(outputs) & static_cast<unsigned>(output)) != 0;
     }
+    /// Whether photons step by the octree: where index or coefficients vary from place to place.
+    bool usesOctree() const { return bends || !scene.sharp; }
     int tracedChannels() const { return colour ? 3 : 1; }
-    int planes() const { return tracedChannels() + (wants(Output::direction) ? 3 : 0); }
     int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }
-    std::int64_t voxels() const { return std::int64_t{size.x} * size.y * size.z; }
+    int directionChannels() const { return wants(Output::direction) ? 3 : 0; }
+    /// Fixed-point sums, one a traced channel and component of the direction.
+    int planes() const { return tracedChannels() + directionChannels(); }
+    std::int64_t voxels() const { return scene.voxels(); }
 };
 
 /// Reads the grids the simulation needs and decides. Throws DataError for a volume without what

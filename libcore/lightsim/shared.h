@@ -13,7 +13,6 @@ using glm::uvec4;
 using glm::vec4;
 #include "shared/bindings.h"
 #include "shared/lightsim_params.h"
-#include "shared/transport_params.h"
 
 static_assert(sizeof(OctreeParams) == 80);
 static_assert(sizeof(EmissionParams) == 224);

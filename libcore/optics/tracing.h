@@ -53,8 +53,8 @@ struct Tracing {
     /// every step (`gathers`); adaptive ones 4, so that no sizeable detail lies between two
     /// look-ups.
     double usualStep(bool gathers = false) const;
-    /// The shaders' switch PATH: 0 straight, then in the order of Integrator.
-    int pathSwitch(bool bends) const { return bends ? 1 + static_cast<int>(integrator) : 0; }
+    /// The shaders' switch INTEGRATOR: 0 straight, then in the order of Integrator.
+    int integratorSwitch(bool bends) const { return bends ? 1 + static_cast<int>(integrator) : 0; }
 
     /// In words, for people: "adaptive, cubic, to 0.01 voxels".
     std::string text() const;

@@ -18,10 +18,10 @@ namespace {
 using glm::ivec3;
 using glm::ivec4;
 using gpu::Buffer;
+#include "shared/bindings.h"
 #include "shared/smooth_params.h"
 static_assert(sizeof(SmoothParams) == 48);
 
-constexpr int kOutputs = 8; // of a work item, as in shaders/smooth/gaussian.comp.glsl
 
 /// How the kernel walks a box of `size` voxels along `axis`.
 SmoothParams walk(ivec3 size, int axis, int radius) {
@@ -104,10 +104,10 @@ void Smoother::smoothAxis(ivec3 size, int axis) {
     if (mRadius[axis] == 0) return;
     const SmoothParams values = walk(size, axis, mRadius[axis]);
     mParams.upload(&values, sizeof values);
-    mParams.bindUniform(0);
-    mSource.bindStorage(0);
-    mTarget.bindStorage(1);
-    mWeights[axis].bindStorage(2);
+    mParams.bindUniform(kParamsBlock);
+    mSource.bindStorage(kSourceBuffer);
+    mTarget.bindStorage(kTargetBuffer);
+    mWeights[axis].bindStorage(kWeightsBuffer);
     mProgram.dispatch({values.counts.x * values.counts.y, values.counts.z, 1});
     gpu::barrier();
     std::swap(mSource, mTarget);

@@ -3,20 +3,13 @@
 #pragma once
 
 #include "optics/tracing.h"
+#include "view/camera.h"
 
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
 namespace eikonal::view {
-
-struct Camera {
-    glm::dvec3 eye{0}, target{0}, up{0, 1, 0}; ///< world [unit]
-    bool parallel = false;
-    double fov = 0;          ///< vertical, perspective [degree]
-    double height = 0;       ///< of the view, parallel [unit]
-    int width = 0, rows = 0; ///< of the picture [pixel]
-};
 
 using optics::Integrator;
 using optics::Interpolation;

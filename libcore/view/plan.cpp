@@ -1,10 +1,9 @@
 // What a picture of a scene calls for, decided before anything is allocated.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/text.h"
-#include "medium/field.h"
-#include "medium/surfaces.h"
-#include "view/bands.h"
-#include "view/plan_sharp.h"
+#include "scene/effects.h"
+#include "scene/transport.h"
+#include "view/picture.h"
+#include "view/rays.h"
 #include "view/view.h"
 
 #include <algorithm>
@@ -13,114 +12,71 @@ namespace eikonal::view {
 
 namespace {
 
-std::string present(const std::string& grid, const medium::Coefficient& coefficient) {
-    return coefficient.present ? "grid '" + grid + "'" : "no grid '" + grid + "', or 0 everywhere";
-}
+using scene::Region;
 
-void listEffects(Plan& plan, const Scene& scene, const Params& params) {
-    const auto add = [&plan](const std::string& name, bool on, const std::string& why) {
-        plan.effects.push_back({name, on, why});
-    };
-    add("sharp_boundaries", plan.sharp,
-        plan.sharp                                     ? "grid 'sdf'"
-        : params.boundary == optics::Boundary::blurred ? "--boundary blurred"
-                                                       : "no grid 'sdf'");
-    if (plan.sharp) {
-        listSharpEffects(plan);
-    } else {
-        add("refraction", plan.bends,
-            plan.bends ? "grid 'ior'" : "the index is " + toText(plan.index.least) + " everywhere");
-        add("absorption", plan.absorption.present, present("absorption", plan.absorption));
-        add("scattering", plan.scatters,
-            plan.scattering.present && !plan.fluence.present
-                ? "grid 'scattering' only dims: no grid 'fluence', or 0 everywhere"
-                : present("scattering", plan.scattering));
-        add("phase_function", plan.lobes,
-            !plan.scatters                ? "nothing is scattered"
-            : !plan.anisotropy.present    ? "no grid 'anisotropy', or 0 everywhere"
-            : plan.lightDirection.present ? "grid 'anisotropy'"
-                                          : "no grid 'light_direction', or 0 everywhere");
-        add("emission", plan.emits, present("emission", plan.emission));
-        add("opaque", plan.opaque, present("opacity", plan.opacity));
-    }
-    add("colour", plan.colour,
-        plan.colour ? "coefficients or light differ by wavelength" : "medium and light are grey");
-    add("environment", plan.map || params.background != glm::dvec3(0),
-        plan.map                             ? "--env"
-        : params.background != glm::dvec3(0) ? "--background"
-                                             : "neither --env nor --background");
-    add("aovs", !params.aovs.empty(), params.aovs.empty() ? "no --aov" : "--aov");
-    if (scene.has("dispersion")) add("dispersion", false, "rays are traced at 587.6 nm alone");
-    if (plan.index.jumpAtFaces > 1e-3f)
-        plan.warnings.push_back("the index jumps by " + toText(plan.index.jumpAtFaces) +
-                                " at the domain's faces, which do not refract");
-    const bool dimOnly = plan.sharp ? plan.scattersUnlit : plan.scattering.present;
-    if (dimOnly && !plan.fluence.present)
-        plan.warnings.push_back(scene.path() +
+void listEffects(Plan& plan, const Params& params) {
+    const scene::Scene& scene = plan.scene;
+    const std::vector<Effect> all = scene::effectsOf(scene, params.boundary);
+    const auto add = [&plan](Effect effect) { plan.effects.push_back(std::move(effect)); };
+    const auto named = [&](const char* name) { return scene::effectNamed(all, name); };
+    add(named("sharp_boundaries"));
+    add(named("refraction"));
+    if (scene.sharp) add(named("curved_rays"));
+    add(named("absorption"));
+    const Effect scattering = named("scattering"), lobes = named("anisotropy");
+    const std::string dimmer = scene.sharp ? "it" : "grid 'scattering'";
+    add({"scattering", plan.scatters,
+         scattering.on && !plan.lit() ? dimmer + " only dims: no grid 'fluence', or 0 everywhere"
+                                      : scattering.why});
+    add({"phase_function", plan.lobes,
+         !plan.scatters                        ? "nothing is scattered"
+         : !lobes.on                           ? (scene.sharp ? "nothing has anisotropy" : lobes.why)
+         : scene.light.direction.isZero() ? "no grid 'light_direction', or 0 everywhere"
+                                               : lobes.why});
+    add(named("emission"));
+    add(named("opaque"));
+    add({"colour", plan.colour,
+         plan.colour ? "coefficients or light differ by wavelength" : "medium and light are grey"});
+    const bool glows = params.background != glm::dvec3(0);
+    add({"environment", plan.map || glows,
+         plan.map ? "--env" : glows ? "--background" : "neither --env nor --background"});
+    add({"aovs", !params.aovs.empty(), params.aovs.empty() ? "no --aov" : "--aov"});
+    if (scene.disperses) add(named("dispersion"));
+    plan.warnings = scene::warningsOf(scene);
+    if (scattering.on && !plan.lit())
+        plan.warnings.push_back(scene.path +
                                 " scatters light but holds none: run lightsim first");
 }
 
 } // namespace
 
-Plan makePlan(const Scene& scene, const Params& params, bool hasMap) {
+Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     Plan plan;
-    plan.size = scene.domain().size();
+    scene::Wanted wanted;
+    wanted.boundary = params.boundary;
+    wanted.emission = wanted.surfaces = wanted.light = true;
+    plan.scene = scene::read(files, wanted);
+    const scene::Scene& scene = plan.scene;
     plan.map = hasMap;
-    plan.sharp = params.boundary == optics::Boundary::sharp ||
-                 (params.boundary == optics::Boundary::automatic && scene.hasObjects());
-    if (plan.sharp) {
-        planSharp(plan, scene);
-        listEffects(plan, scene, params);
-        return plan;
-    }
-    plan.index = scene.index();
-    plan.absorption = scene.coefficient("absorption");
-    plan.scattering = scene.coefficient("scattering");
-    plan.emission = scene.coefficient("emission");
-    plan.opacity = scene.coefficient("opacity");
-    plan.bends = plan.index.varies();
-    plan.dims = plan.absorption.present || plan.scattering.present;
-    plan.emits = plan.emission.present;
-    plan.opaque = plan.opacity.present &&
-                  std::any_of(plan.opacity.grid.values.begin(), plan.opacity.grid.values.end(),
-                              [](float opacity) { return opacity > 0.5f; });
-    // Light is read only where something sends it to the eye.
-    if (plan.scattering.present || plan.opaque) plan.fluence = scene.fluence();
-    plan.scatters = plan.scattering.present && plan.fluence.present;
-    if (plan.scatters) plan.anisotropy = scene.coefficient("anisotropy");
-    if (plan.fluence.present && (plan.anisotropy.present || plan.opaque))
-        plan.lightDirection = scene.lightDirection();
-    if (plan.opaque) plan.albedo = scene.coefficient("albedo");
-    plan.lobes = plan.scatters && plan.anisotropy.present && plan.lightDirection.present;
-    plan.colour = !plan.absorption.grey || !plan.scattering.grey || !plan.emission.grey ||
-                  (plan.scatters && !plan.fluence.grey);
-    listEffects(plan, scene, params);
+    plan.bends = scene::effectNamed(scene::effectsOf(scene, params.boundary), "refraction").on;
+    plan.dims = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
+    plan.emits = scene.anyHas(&Region::emission);
+    plan.opaque = scene.anyOpaque();
+    plan.scatters = scene.anyHas(&Region::scattering) && plan.lit();
+    plan.lobes = plan.scatters && scene.anyHas(&Region::anisotropy) &&
+                 !scene.light.direction.isZero();
+    plan.colour =
+        scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
+        (scene.sharp && scene.anyColoured({&Region::reflectance})) ||
+        (plan.scatters && !scene.light.fluence.grey());
+    listEffects(plan, params);
     return plan;
 }
 
 std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
-    const glm::ivec3 outer = plan.size + 2;
-    const std::int64_t texels = std::int64_t{outer.x} * outer.y * outer.z;
-    const int edge = std::max({outer.x, outer.y, outer.z});
-    std::vector<gpu::Need> needs;
-    const auto texture = [&](const char* what, std::int64_t bytes) {
-        needs.push_back({what, texels * bytes, false, edge});
-    };
-    if (plan.index.varies()) needs.push_back(medium::fieldNeed(plan.size, params.sampling()));
-    if (plan.sharp) {
-        for (const gpu::Need& need : medium::surfaceNeeds(plan.objects)) needs.push_back(need);
-        if (plan.scatters) texture("the light", 16);
-    } else if (plan.dims || plan.emits)
-        texture("the medium", plan.colour ? 16 : plan.scatters || plan.emits ? 8 : 4);
-    if (!plan.sharp && plan.colour && (plan.scatters || plan.emits))
-        texture("the scattered light", 16);
-    if (plan.lobes || (plan.opaque && plan.fluence.present)) texture("the light's direction", 16);
-    if (!plan.sharp && plan.lobes && plan.emits) texture("the emission", 16);
-    if (plan.opaque) texture("the opaque surfaces", plan.fluence.present ? 32 : 16);
-    const Camera& camera = params.camera;
-    const std::int64_t band = std::int64_t{camera.width} * rowsPerBand(params);
-    needs.push_back({"the picture", band * 16, true, 0});
-    if (wantsPaths(plan, params)) needs.push_back({"the rays' paths", band * 64, true, 0});
+    std::vector<gpu::Need> needs = scene::transportNeeds(plan.scene, params);
+    for (const gpu::Need& need : mediaNeeds(plan)) needs.push_back(need);
+    for (const gpu::Need& need : pictureNeeds(plan, params)) needs.push_back(need);
     return needs;
 }
 

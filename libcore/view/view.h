@@ -4,11 +4,11 @@
 
 #include "base/progress.h"
 #include "base/stats.h"
+#include "gpu/device.h"
 #include "image/exr.h"
 #include "image/image.h"
-#include "medium/objects.h"
+#include "scene/scene.h"
 #include "view/params.h"
-#include "view/scene.h"
 
 #include <optional>
 #include <string>
@@ -18,27 +18,23 @@ namespace eikonal::view {
 
 /// The scene as viewing rays meet it, and which effects are worth simulating.
 struct Plan {
-    glm::ivec3 size{0};
-    bool bends = false;    ///< the index varies
+    scene::Scene scene;
+    bool bends = false;    ///< index or boundaries turn rays
     bool dims = false;     ///< something absorbs or scatters
     bool colour = false;   ///< coefficients or light differ by wavelength
     bool scatters = false; ///< there is light, and something scatters it
     bool lobes = false;    ///< scattering prefers a direction
     bool emits = false;
     bool opaque = false;
-    bool map = false;           ///< an environment map surrounds the scene
-    bool scattersUnlit = false; ///< sharp: something would scatter, but there is no light
-    bool sharp = false; ///< rays part at the boundaries of `objects`; the coefficients below
-                        ///< but for the light are empty then
-    medium::Objects objects;
-    medium::Index index;
-    medium::Coefficient absorption, scattering, anisotropy, emission, opacity, albedo, fluence,
-        lightDirection;
+    bool map = false; ///< an environment map surrounds the scene
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
+
+    bool lit() const { return !scene.light.fluence.isZero(); }
+    bool gathers() const { return dims || emits; }
 };
 
-Plan makePlan(const Scene& scene, const Params& params, bool hasMap);
+Plan makePlan(const scene::Files& files, const Params& params, bool hasMap);
 
 /// What the run will hold on the device.
 std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params);
@@ -46,7 +42,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params);
 /// Renders radiance [W/(m² sr)], premultiplied R G B A, AR AG AB where the medium is coloured, and
 /// the AOVs asked for. `map` is the environment, R G B. Fills passes and counters of `stats`.
 /// Throws MemoryError before the work if the device can't hold it.
-image::Image render(gpu::Device& device, const Scene& scene, const Plan& plan, const Params& params,
+image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
 
 /// The camera's matrices in OpenEXR's spaces.

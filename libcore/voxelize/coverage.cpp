@@ -49,14 +49,14 @@ void Coverage::count(FacetSource& mesh, int firstRow, int rows,
     mParams.upload(&params, sizeof params);
     mChanges.clear();
     gpu::barrier();
-    mParams.bindUniform(0);
-    mChanges.bindStorage(1);
+    mParams.bindUniform(kParamsBlock);
+    mChanges.bindStorage(kChangesBuffer);
     std::vector<Facet> facets;
     mesh.seek(firstRow, rows);
     for (mesh.next(facets, kFacetsPerDraw); !facets.empty(); mesh.next(facets, kFacetsPerDraw)) {
         const auto bytes = static_cast<std::int64_t>(facets.size() * sizeof(Facet));
         mFacets = gpu::Buffer(mDevice, bytes, facets.data());
-        mFacets.bindStorage(0);
+        mFacets.bindStorage(kFacetsBuffer);
         gpu::drawTriangles(mCrossings, static_cast<std::int64_t>(facets.size()) * 3,
                            mLattice.view(), mLattice.view());
     }

@@ -34,7 +34,7 @@ Attenuation dimmingOf(float depth) {
     return kDense ? attenuationOf(depth) : thinAttenuationOf(depth);
 }
 
-// Walks the voxels from x to x + along (Amanatides and Woo 1987), t from 0 to 1, through a medium of
+// Walks the voxels from x to x + along (Amanatides and Woo 1987), t [voxel] from 0 on, through a medium of
 // these coefficients [1/voxel].
 // Returns the share of the way before an opaque voxel, 1 where there is none.
 float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS) {
@@ -42,7 +42,7 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
     ivec3 stride = ivec3(1, size.x, size.x * size.y);
     float unit = params.limits.z;
     float stepLength = sqrt(dot(along, along));
-    vec3 slope = 1.0 / max(abs(along), vec3(1.0e-12));
+    vec3 slope = stepLength / max(abs(along), vec3(1.0e-12));
     vec3 turn = vec3(along.x < 0.0 ? -1.0 : 1.0, along.y < 0.0 ? -1.0 : 1.0,
                      along.z < 0.0 ? -1.0 : 1.0);
     vec3 towards = 0.5 + 0.5 * along / max(stepLength, 1.0e-12);
@@ -59,11 +59,11 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
     while (walking) {
         float leave = min(min(crossing.x, crossing.y), crossing.z);
         // Rounding must not leave a crumb of the step in a voxel beyond its end.
-        walking = leave < 0.999999;
-        leave = walking ? leave : 1.0;
-        float pathLength = max(leave - t, 0.0) * stepLength;
+        walking = leave < 0.999999 * stepLength;
+        leave = walking ? leave : stepLength;
+        float pathLength = max(leave - t, 0.0);
         if (kOpaqueVoxels && texelFetch(opaque, ivec3(cell), 0).x != 0u) {
-            ends = t;
+            ends = t / stepLength;
             break;
         }
         vec3 share = path.throughput * pathLength;

@@ -4,14 +4,15 @@
 // Read from the coarsest level down: the first node whose range is within ε, or within ε' with a
 // limited step (§5.3), is the leaf. Voxels in none are leaves by themselves, level 0. The extinction
 // is held constant over a step too (003 leaves that out): a leaf's optical depth must be known to ε.
+#include "shared/bindings.h"
 #include "shared/lightsim_params.h"
 #include "lib/octree.glsl"
 
 layout(local_size_x = 64) in;
-layout(std140, binding = 0) uniform Params { OctreeParams params; };
-layout(std430, binding = 1) readonly buffer Pyramid { vec4 range[]; };
-layout(std430, binding = 2) readonly buffer Levels { ivec4 levels[]; }; // nodes x y z, first node
-layout(r32ui, binding = 0) writeonly uniform uimage3D leaves;
+layout(std140, binding = kParamsBlock) uniform Params { OctreeParams params; };
+layout(std430, binding = kPyramidBuffer) readonly buffer Pyramid { vec4 range[]; };
+layout(std430, binding = kLevelsBuffer) readonly buffer Levels { ivec4 levels[]; }; // nodes x y z, first node
+layout(r32ui, binding = kLeavesImage) writeonly uniform uimage3D leaves;
 
 void main() {
     ivec3 pair = ivec3(gl_GlobalInvocationID);

@@ -4,7 +4,7 @@
 #include "shared/lightsim_params.h"
 
 layout(std140, binding = kParamsBlock) uniform Params { EmissionParams params; };
-layout(std430, binding = 0) readonly buffer Corners { vec4 corners[]; }; // three a triangle [voxel]
+layout(std430, binding = kCornersBuffer) readonly buffer Corners { vec4 corners[]; }; // three a triangle [voxel]
 layout(location = 0) out vec3 place;
 
 void main() {

@@ -6,6 +6,7 @@
 // beyond its faces, on the third by little: two are looked at, since three would take a third more steps
 // for a quarter less error. Source 2: level k from k − 1. One program serves all, and its loops run to a
 // count that the compiler does not know: it is compiled on every run.
+#include "shared/bindings.h"
 #include "shared/lightsim_params.h"
 
 #if !defined(INDEX) || !defined(EXTINCTION)
@@ -15,10 +16,10 @@ const bool kIndex = INDEX == 1;           // the index varies
 const bool kExtinction = EXTINCTION == 1; // the extinction varies
 
 layout(local_size_x = 64) in;
-layout(std140, binding = 0) uniform Params { OctreeParams params; };
-layout(std430, binding = 0) readonly buffer Index { float index[]; };
-layout(std430, binding = 1) buffer Pyramid { vec4 range[]; }; // n: least, most; σ_t: least, most
-layout(std430, binding = 3) readonly buffer Extinction { float extinction[]; };
+layout(std140, binding = kParamsBlock) uniform Params { OctreeParams params; };
+layout(std430, binding = kIndexBuffer) readonly buffer Index { float index[]; };
+layout(std430, binding = kPyramidBuffer) buffer Pyramid { vec4 range[]; }; // n: least, most; σ_t: least, most
+layout(std430, binding = kExtinctionBuffer) readonly buffer Extinction { float extinction[]; };
 
 vec4 joined(vec4 a, vec4 b) {
     return vec4(min(a.x, b.x), max(a.y, b.y), min(a.z, b.z), max(a.w, b.w));

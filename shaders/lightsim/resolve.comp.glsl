@@ -1,5 +1,6 @@
 // Fixed-point sums to floats: one batch of one light, added to what was there before.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
 #include "shared/lightsim_params.h"
 
 #if !defined(CHANNELS) || !defined(FLUENCE) || !defined(DIRECTION)
@@ -7,9 +8,9 @@
 #endif
 
 layout(local_size_x = 64) in;
-layout(std140, binding = 0) uniform Params { ResolveParams params; };
-layout(std430, binding = 0) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
-layout(std430, binding = 6) buffer Result { float values[]; } results[FLUENCE + 3 * DIRECTION];
+layout(std140, binding = kParamsBlock) uniform Params { ResolveParams params; };
+layout(std430, binding = kPlanesBuffer) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
+layout(std430, binding = kTotalsBuffer) buffer Result { float values[]; } results[FLUENCE + 3 * DIRECTION];
 
 void main() {
     // Two dimensions, since one alone may be too short for the voxels of a large volume.
@@ -29,7 +30,7 @@ void main() {
     results[2].values[voxel] += sum.z * params.fluence.z;
 #endif
 #if DIRECTION
-    // The planes hold (1 + d)/2 of the power: see march.comp.glsl.
+    // The planes hold (1 + d)/2 of the power: see deposit.glsl.
     float power = dot(sum, params.colour.xyz);
     results[FLUENCE + 0].values[voxel] +=
         (2.0 * float(planes[CHANNELS + 0].sums[voxel]) - power) * params.colour.w;

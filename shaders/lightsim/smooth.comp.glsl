@@ -1,11 +1,12 @@
 // One axis of the 3×3×3 smoothing of the light (Sun et al. 2008, §4.4): weights 1 2 1, edges clamp.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
 #include "shared/lightsim_params.h"
 
 layout(local_size_x = 64) in;
-layout(std140, binding = 0) uniform Params { ResolveParams params; };
-layout(std430, binding = 0) readonly buffer Source { float source[]; };
-layout(std430, binding = 1) writeonly buffer Target { float target[]; };
+layout(std140, binding = kParamsBlock) uniform Params { ResolveParams params; };
+layout(std430, binding = kSourceBuffer) readonly buffer Source { float source[]; };
+layout(std430, binding = kTargetBuffer) writeonly buffer Target { float target[]; };
 
 void main() {
     ivec3 p = ivec3(gl_GlobalInvocationID);

@@ -44,4 +44,21 @@ const int kListBuffer = 2;     // pixels whose photon goes on
 const int kNextListBuffer = 3; // those of the next launch
 const int kPlanesBuffer = 4;   // fixed-point sums per voxel, up to six buffers
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
-const int kTotalsBuffer = 6;   // resolve.comp: floats per voxel, up to six buffers
+const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
+const int kTotalsBuffer = 10;  // resolve.comp: floats per voxel, up to six buffers
+
+// lightsim, the octree: storage buffers, and an image.
+const int kIndexBuffer = 0;      // per voxel
+const int kPyramidBuffer = 1;    // of ranges
+const int kLevelsBuffer = 2;     // nodes x y z, first node of each level
+const int kExtinctionBuffer = 3; // per voxel [1/voxel]
+const int kLeavesImage = 0;
+
+// Filters along an axis: storage buffers.
+const int kSourceBuffer = 0;
+const int kTargetBuffer = 1;
+const int kWeightsBuffer = 2; // smooth: by offset
+
+// voxelize: storage buffers.
+const int kFacetsBuffer = 0;
+const int kChangesBuffer = 1; // of the count of sub-samples, per voxel

@@ -4,15 +4,14 @@
 // A sum of differences from the centre, so that a constant stays exactly constant whatever the
 // weights' rounding. An item makes several outputs in a row of the axis: the taps k before and k
 // behind all of them are two windows that slide by one voxel, one load each, as k grows.
+#include "shared/bindings.h"
 #include "shared/smooth_params.h"
 
-const int kOutputs = 8; // per item; libcore/smooth/smooth.cpp knows it too
-
 layout(local_size_x = 64) in;
-layout(std140, binding = 0) uniform Params { SmoothParams params; };
-layout(std430, binding = 0) readonly buffer Source { float source[]; };
-layout(std430, binding = 1) writeonly buffer Target { float target[]; };
-layout(std430, binding = 2) readonly buffer Weights { float weights[]; };
+layout(std140, binding = kParamsBlock) uniform Params { SmoothParams params; };
+layout(std430, binding = kSourceBuffer) readonly buffer Source { float source[]; };
+layout(std430, binding = kTargetBuffer) writeonly buffer Target { float target[]; };
+layout(std430, binding = kWeightsBuffer) readonly buffer Weights { float weights[]; };
 
 void main() {
     int item = int(gl_GlobalInvocationID.x);

@@ -49,11 +49,11 @@ struct Hit {
     float s;       // [voxel]; the segment's end if it meets none
     int object;    // −1: none
     vec3 gradient; // of the object's distance there
-    int looks;     // how often it was looked where boundaries are
+    int looks;     // 1, and how often it was looked where boundaries are
 };
 
 Hit noHit(float s) {
-    return Hit(s, -1, vec3(0.0), 0);
+    return Hit(s, -1, vec3(0.0), 1);
 }
 
 // The first boundary on a segment that starts within `objects`. `departs` is how steeply it leaves the

@@ -62,12 +62,12 @@ void along(inout Path path, inout Load load, int region, vec3 direction, float e
 
 // To the next interface or face through an index that does not vary.
 Hit propagateStraight(inout Path path, inout Load load, int region) {
-    vec3 direction = normalize(path.ray.w);
     float n = indexOf(region, path.ray.x);
+    vec3 direction = path.ray.w / n; // devices' roots are not as exact
     Hit hit = noHit(timeToFace(path.ray.x, direction));
     if (kObjects > 0)
         hit = intersectStraight(path.ray.x, direction, hit.s, path.objects, path.departs);
-    path.steps += 1 + hit.looks;
+    path.steps += hit.looks;
     vec3 start = path.ray.x;
     along(path, load, region, direction, hit.s, n);
     if (path.status == kAlive) {
@@ -303,7 +303,8 @@ bool advance(inout Path path, inout Load load) {
         else hit = propagateStraight(path, load, region);
         if (kObjects > 0 && hit.object >= 0) cross(path, load, hit);
     }
-    bool going = kObjects > 0 && path.status == kAlive && path.steps < path.mostSteps;
+    bool spent = path.steps >= path.mostSteps;
+    bool going = kObjects > 0 && path.status == kAlive && !spent;
     if (!going) going = onEnd(path, load);
     return going;
 }

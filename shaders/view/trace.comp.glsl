@@ -172,10 +172,11 @@ void reachVoxels(inout Path path, inout Load load) {
 bool onEnd(inout Path path, inout Load load) {
     if (path.status == kAlive) path.status = kTrapped;
     if (kOpaqueVoxels && path.status == kStopped) reachVoxels(path, load);
-    if (path.status == kLeft || path.status == kTrapped) // it sees what is straight ahead
-        load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) /
-                    (params.medium.x * params.medium.x);
-    load.trapped = load.trapped || path.status == kTrapped;
+    bool escapes = path.status == kLeft;
+    bool traps = path.status == kTrapped;
+    if (escapes || traps) // it sees what is straight ahead
+        load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) * params.medium.w;
+    load.trapped = traps || load.trapped;
     if (load.first) load.firstPath = path;
     load.first = false;
     bool more = kObjects > 0 && waitingCount > 0;
@@ -219,7 +220,7 @@ void main() {
         }
         if (kIntegrator == kAdaptive) noteError(errorOf(path.error, path.steps));
     } else {
-        load.sky = backgroundLight(camera.direction) / (n * n);
+        load.sky = backgroundLight(camera.direction) * params.medium.w;
     }
     Path first = load.firstPath;
     vec3 direction = normalize(first.ray.w);

@@ -1,9 +1,10 @@
 // Each fragment is one sub-column passing through the surface: booked where it happens.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
 #include "shared/voxelize_params.h"
 
-layout(std140, binding = 0) uniform Params { StripParams params; };
-layout(std430, binding = 1) buffer Changes { int changes[]; }; // x fastest, then y, z
+layout(std140, binding = kParamsBlock) uniform Params { StripParams params; };
+layout(std430, binding = kChangesBuffer) buffer Changes { int changes[]; }; // x fastest, then y, z
 layout(location = 0) flat in vec4 depth;
 layout(location = 1) flat in vec4 slope;
 

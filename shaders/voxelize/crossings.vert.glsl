@@ -1,9 +1,10 @@
 // A triangle seen along z, placed so that its corners fall exactly where the host put them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
 #include "shared/voxelize_params.h"
 
-layout(std140, binding = 0) uniform Params { StripParams params; };
-layout(std430, binding = 0) readonly buffer Facets { Facet facets[]; };
+layout(std140, binding = kParamsBlock) uniform Params { StripParams params; };
+layout(std430, binding = kFacetsBuffer) readonly buffer Facets { Facet facets[]; };
 layout(location = 0) flat out vec4 depth;
 layout(location = 1) flat out vec4 slope; // x, y of corner a, the depth's rise along x and y
 

@@ -1,10 +1,11 @@
 // Sums the changes along each column: how many sub-samples of each voxel lie inside.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/bindings.h"
 #include "shared/voxelize_params.h"
 
 layout(local_size_x = 64) in;
-layout(std140, binding = 0) uniform Params { StripParams params; };
-layout(std430, binding = 1) buffer Changes { int changes[]; };
+layout(std140, binding = kParamsBlock) uniform Params { StripParams params; };
+layout(std430, binding = kChangesBuffer) buffer Changes { int changes[]; };
 
 void main() {
     ivec2 column = ivec2(gl_GlobalInvocationID.xy);

@@ -49,10 +49,10 @@ volume::Volume blurred(Bench& bench, const volume::Volume& volume, double sigma,
     return result;
 }
 
-view::Scene sceneWith(volume::Volume volume) {
+scene::Files sceneWith(volume::Volume volume) {
     std::vector<volume::Volume> volumes;
     volumes.push_back(std::move(volume));
-    return view::Scene(std::move(volumes));
+    return scene::Files(std::move(volumes));
 }
 
 view::Camera cameraAt(const Ball& ball, int pixels, double height) {

@@ -25,7 +25,7 @@ eikonal::volume::Volume voxelised(Bench& bench, const Ball& ball, int voxels, in
 eikonal::volume::Volume blurred(Bench& bench, const eikonal::volume::Volume& volume, double sigma,
                                 eikonal::Stats& stats);
 
-eikonal::view::Scene sceneWith(eikonal::volume::Volume volume);
+eikonal::scene::Files sceneWith(eikonal::volume::Volume volume);
 
 /// Parallel rays along no axis, the ball in the middle of a square picture so high [unit].
 eikonal::view::Camera cameraAt(const Ball& ball, int pixels, double height);

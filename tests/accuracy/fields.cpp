@@ -122,13 +122,13 @@ std::vector<judge::Ray> raysOf(const view::Camera& camera) {
     return rays;
 }
 
-view::Scene sceneOf(const std::function<double(dvec3)>& index, const glm::ivec3& size,
+scene::Files sceneOf(const std::function<double(dvec3)>& index, const glm::ivec3& size,
                     double voxelSize) {
     TestVolume volume(size, voxelSize);
     volume.index(index);
     std::vector<volume::Volume> volumes;
     volumes.push_back(volume.take());
-    return view::Scene(std::move(volumes));
+    return scene::Files(std::move(volumes));
 }
 
 } // namespace accuracy

@@ -34,7 +34,7 @@ eikonal::view::Camera cameraOf(const Field& field, int pixels);
 std::vector<judge::Ray> raysOf(const eikonal::view::Camera& camera);
 
 /// An index over a box of `size` voxels whose low corner is the origin, as a scene.
-eikonal::view::Scene sceneOf(const std::function<double(dvec3)>& index, const glm::ivec3& size,
+eikonal::scene::Files sceneOf(const std::function<double(dvec3)>& index, const glm::ivec3& size,
                              double voxelSize);
 
 } // namespace accuracy

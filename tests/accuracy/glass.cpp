@@ -19,7 +19,7 @@ const dvec3 kCentre(31.63, 32.21, 31.87); // on no lattice point, and at no one'
 constexpr double kRadius = 26.3;
 const dvec3 kViews[] = {{0, 0, -1}, {1, 0.37, -0.21}, {-0.4, -1, 0.7}};
 
-view::Scene sceneOf(const judge::Glass& glass) {
+scene::Files sceneOf(const judge::Glass& glass) {
     return sceneWith(sharp::volumeOf(glass, {.halfWidth = 6})); // mesh2vol's band
 }
 
@@ -74,11 +74,11 @@ Json measureGraded(Bench& bench) {
 }
 
 /// Colours of a picture, x fastest.
-std::vector<dvec3> coloursOf(Bench& bench, const view::Scene& scene, const view::Params& params,
+std::vector<dvec3> coloursOf(Bench& bench, const scene::Files& scene, const view::Params& params,
                              const std::optional<image::Image>& map = {}) {
     Stats stats;
     const image::Image picture =
-        view::render(bench.device, scene, view::makePlan(scene, params, map.has_value()), params,
+        view::render(bench.device, view::makePlan(scene, params, map.has_value()), params,
                      map, stats, {});
     std::vector<dvec3> colours;
     for (size_t i = 0; i < picture.area(); ++i) {
@@ -124,7 +124,7 @@ Json measureOrders(Bench& bench) {
     int rays = 0;
     for (const Kind& kind : kKinds) {
         const judge::Glass glass = kind.glass();
-        const view::Scene scene = sceneOf(glass);
+        const scene::Files scene = sceneOf(glass);
         for (double impact = 0.04; impact < 0.99; impact += bench.full ? 0.025 : 0.1) {
             if (kind.critical(impact) || impact > kind.ratio()) continue;
             const judge::Ray ray = aimed(impact, 9 * impact);
@@ -164,7 +164,7 @@ Json measureWine(Bench& bench) {
     const judge::Glass glass{{judge::glassBall(kCentre, 26, 1.5, 0),
                               judge::glassBall(kCentre + dvec3(1, 2, -1), 20, 1.34, 1),
                               judge::glassBall(kCentre + dvec3(-2, 1, 1), 11, 1, 2)}};
-    const view::Scene scene = sceneOf(glass);
+    const scene::Files scene = sceneOf(glass);
     double off = 0;
     int count = 0;
     for (const dvec3& direction : kViews) {

@@ -172,8 +172,7 @@ lightsim::Params lightParams(const lightsim::Light& light, std::int64_t photons)
 Lit light(Bench& bench, const volume::Volume& volume, const lightsim::Params& params) {
     params.check();
     Stats stats;
-    const lightsim::Result result = lightsim::simulate(
-        bench.device, volume, lightsim::makePlan(volume, params), params, stats, {});
+    const lightsim::Result result = lightsim::simulate(bench.device, lightsim::makePlan(volume, params), params, stats, {});
     Lit lit;
     for (size_t i = 0; i < result.fluence.values.size(); i += 3)
         lit.fluence.push_back(result.fluence.values[i]);

@@ -160,7 +160,7 @@ Setting usual() {
     return result;
 }
 
-Stage::Stage(view::Scene scene)
+Stage::Stage(scene::Files scene)
     : mScene(std::move(scene)), mPlan(view::makePlan(mScene, view::Params{}, false)) {}
 
 Ends Stage::ends(Bench& bench, const view::Camera& camera, const Setting& setting,
@@ -171,7 +171,7 @@ Ends Stage::ends(Bench& bench, const view::Camera& camera, const Setting& settin
     params.check();
     Stats stats;
     const image::Image picture =
-        view::render(bench.device, mScene, mPlan, params, std::nullopt, stats, {});
+        view::render(bench.device, mPlan, params, std::nullopt, stats, {});
     const auto plane = [&](const std::string& name) { return picture.plane(*picture.find(name)); };
     const auto vectors = [&](const std::string& name) {
         const auto x = plane(name + ".X"), y = plane(name + ".Y"), z = plane(name + ".Z");
@@ -194,7 +194,7 @@ Ends Stage::ends(Bench& bench, const view::Camera& camera, const Setting& settin
 
 double Stage::time(Bench& bench, const view::Camera& camera, const Setting& setting) const {
     Stats stats;
-    view::render(bench.device, mScene, mPlan, paramsOf(camera, setting), std::nullopt, stats, {});
+    view::render(bench.device, mPlan, paramsOf(camera, setting), std::nullopt, stats, {});
     return passMs(stats, "view");
 }
 

@@ -43,14 +43,14 @@ struct Ends {
 /// A field as voxels, ready to be looked into.
 class Stage {
 public:
-    explicit Stage(eikonal::view::Scene scene);
+    explicit Stage(eikonal::scene::Files scene);
     Ends ends(Bench& bench, const eikonal::view::Camera& camera, const Setting& setting,
               int maxSteps = 0) const;
     /// GPU time of the view pass without AOVs [ms].
     double time(Bench& bench, const eikonal::view::Camera& camera, const Setting& setting) const;
 
 private:
-    eikonal::view::Scene mScene;
+    eikonal::scene::Files mScene;
     eikonal::view::Plan mPlan;
 };
 

@@ -4,7 +4,7 @@
 
 #include "gpu/program.h"
 #include "lightsim/lightsim.h"
-#include "medium/field.h"
+#include "scene/field.h"
 #include "view/view.h"
 
 #include <chrono>
@@ -81,10 +81,10 @@ Json measureKernels(const Settings& settings) {
     gpu::Device device(gpu::parseDeviceChoice(settings.device));
     std::vector<volume::Volume> volumes;
     volumes.push_back(ballVolume(kVoxels, false));
-    const view::Scene scene(std::move(volumes));
+    const scene::Files scene(std::move(volumes));
     const view::Params params = viewParams();
     const view::Plan plan = view::makePlan(scene, params, false);
-    const medium::Field field(device, plan.index.grid, {});
+    const scene::Field field(device, plan.scene.index.grid, {});
 
     const volume::Volume hazy = ballVolume(kVoxels, true);
     lightsim::Params light;
@@ -96,17 +96,17 @@ Json measureKernels(const Settings& settings) {
     for (int i = 0; i <= settings.repeats; ++i) {
         Stats seen, lit;
         march.push_back(bareMarch(device, field.texture()));
-        view::render(device, scene, plan, params, std::nullopt, seen, {});
+        view::render(device, plan, params, std::nullopt, seen, {});
         view.push_back(1e3 * seen.counter("steps") / passMs(seen, "view"));
         viewRatio.push_back(view.back() / march.back());
         atomics.push_back(bareAtomics(device, false));
-        lightsim::simulate(device, hazy, lightPlan, light, lit, {});
+        lightsim::simulate(device, lightPlan, light, lit, {});
         photons.push_back(1e3 * lit.counter("deposits") / passMs(lit, "photons"));
         photonRatio.push_back(photons.back() / atomics.back());
         cachedAtomics.push_back(bareAtomics(device, false, true));
         if (device.info().software) floatAtomics.push_back(bareAtomics(device, true));
         double total = passMs(seen, "view");
-        for (const char* pass : {"photon birth", "photons", "resolve", "smooth"})
+        for (const char* pass : {"photon emission", "photons", "resolve", "smooth"})
             total += passMs(lit, pass);
         frame.push_back(total);
         if (i > 0) continue; // the first round warms up

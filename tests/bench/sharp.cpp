@@ -88,28 +88,28 @@ public:
             params.step = 1;
         }
         Stats stats;
-        view::render(mDevice, mScene, mPlan, params, std::nullopt, stats, {});
+        view::render(mDevice, mPlan, params, std::nullopt, stats, {});
         return passMs(stats, "view");
     }
 
     /// GPU time of the photons' pass [ms].
     double photonsMs() const {
         Stats stats;
-        lightsim::simulate(mDevice, mLight, mLightPlan, lightParams(), stats, {});
+        lightsim::simulate(mDevice, mLightPlan, lightParams(), stats, {});
         return passMs(stats, "photons");
     }
 
 private:
-    view::Scene sceneOf(const mesh::TriangleMesh& mesh, bool sharp) {
+    scene::Files sceneOf(const mesh::TriangleMesh& mesh, bool sharp) {
         std::vector<volume::Volume> volumes;
         volumes.push_back(glassOf(mDevice, mesh, sharp));
-        return view::Scene(std::move(volumes));
+        return scene::Files(std::move(volumes));
     }
 
     gpu::Device& mDevice;
     volume::Volume mLight;
     lightsim::Plan mLightPlan;
-    view::Scene mScene;
+    scene::Files mScene;
     view::Plan mPlan;
     view::Camera mCamera;
 };

@@ -95,7 +95,7 @@ Row runChain(const Settings& s, const std::string& mesh, const std::string& volu
         if (tool == "mesh2vol") row.voxelization = pass(stats, {"voxelize", "materials"});
         if (tool == "render") row.view = pass(stats, {"view"});
         if (tool != "lightsim") continue;
-        row.tracing = pass(stats, {"photon birth", "photons", "resolve", "books"});
+        row.tracing = pass(stats, {"photon emission", "photons", "resolve", "energy"});
         row.steps = stats["counters"]["steps"].get<double>();
         row.photons = stats["counters"]["photons"].get<double>();
     }

@@ -23,7 +23,7 @@ Json measureSteps(const Settings& settings) {
     const auto row = [&](const std::string& name, lightsim::Params params) {
         const lightsim::Plan plan = lightsim::makePlan(volume, params);
         Stats stats;
-        const auto result = lightsim::simulate(device, volume, plan, params, stats, {});
+        const auto result = lightsim::simulate(device, plan, params, stats, {});
         const std::vector<float>& fluence = result.fluence.values;
         if (reference.empty()) reference = fluence;
         double difference = 0, sum = 0, steps = 0;

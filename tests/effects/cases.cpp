@@ -176,11 +176,11 @@ Case viewCase(const std::string& name, volume::Volume volume, const view::Params
               const std::optional<image::Image>& map = {}) {
     std::vector<volume::Volume> volumes;
     volumes.push_back(std::move(volume));
-    const auto scene = std::make_shared<view::Scene>(std::move(volumes));
+    const auto scene = std::make_shared<scene::Files>(std::move(volumes));
     const auto plan = std::make_shared<view::Plan>(view::makePlan(*scene, params, map.has_value()));
-    return {name, plan->sharp ? kSharpKernel : kViewKernel, false, [=](gpu::Device& device) {
+    return {name, plan->scene.sharp ? kSharpKernel : kViewKernel, false, [=](gpu::Device& device) {
                 Stats stats;
-                image::Image picture = view::render(device, *scene, *plan, params, map, stats, {});
+                image::Image picture = view::render(device, *plan, params, map, stats, {});
                 return Outcome{passMs(stats, "view"), stats.counter("steps"),
                                std::move(picture.pixels)};
             }};
@@ -203,7 +203,7 @@ Case photonCase(const std::string& name, volume::Volume made, const lightsim::Pa
     return {name, kPhotonKernel, false, [=](gpu::Device& device) {
                 Stats stats;
                 lightsim::Result result =
-                    lightsim::simulate(device, *volume, *plan, params, stats, {});
+                    lightsim::simulate(device, *plan, params, stats, {});
                 return Outcome{passMs(stats, "photons"), stats.counter("steps"),
                                std::move(result.fluence.values)};
             }};

@@ -32,7 +32,7 @@ class HardBending : public testing::TestWithParam<Mode> {};
 /// The brightest voxel, and whether every one is finite and lit as books say.
 ivec3 brightest(const lightsim::Lit& lit) {
     ivec3 best(0);
-    forEachVoxel(lit.plan.size, [&](ivec3 p) {
+    forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) {
         ASSERT_TRUE(std::isfinite(lit.fluence(p)));
         if (lit.fluence(p) > lit.fluence(best)) best = p;
     });

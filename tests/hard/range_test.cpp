@@ -15,7 +15,7 @@ using lightsim::paramsOf;
 namespace {
 
 /// A blurred ball that dims in colours.
-TestVolume scene(int size = 16) {
+TestVolume sceneVolume(int size = 16) {
     TestVolume out = ballIn(size, 0.35 * size, 1.4, 1);
     out.constantVector("absorption", {0.02, 0.03, 0.04});
     out.constantVector("scattering", {0.01, 0.02, 0.015});
@@ -25,7 +25,7 @@ TestVolume scene(int size = 16) {
 
 /// What an eye sees of the scene under the light of a run.
 image::Image pictureOf(const Lit& lit) {
-    TestVolume out = scene();
+    TestVolume out = sceneVolume();
     volume::Volume volume = out.take();
     volume.put("fluence", volume.domain(), lit.result.fluence, {});
     volume.put("light_direction", volume.domain(), lit.result.direction, {});
@@ -53,12 +53,12 @@ const std::vector<Light> kLights = {beam({1, -2, 0.5}, {1, 2, 3}), lamp({-5, 9, 
 } // namespace
 
 TEST(HardRange, APowerOfTwoOfLightIsThatPowerOfEverythingBitForBit) {
-    const Lit reference(scene().volume(), paramsOf(kLights, 1 << 12));
+    const Lit reference(sceneVolume().volume(), paramsOf(kLights, 1 << 12));
     const auto seen = colours(pictureOf(reference));
     for (const int exponent : {-60, -26, -1, 1, 26, 60}) {
         const double factor = std::exp2(exponent);
         const auto scale = static_cast<float>(factor);
-        const Lit lit(scene().volume(), paramsOf(times(kLights, factor), 1 << 12));
+        const Lit lit(sceneVolume().volume(), paramsOf(times(kLights, factor), 1 << 12));
         for (size_t i = 0; i < reference.result.fluence.values.size(); ++i)
             ASSERT_EQ(lit.result.fluence.values[i], reference.result.fluence.values[i] * scale);
         ASSERT_EQ(lit.result.direction.values, reference.result.direction.values);
@@ -71,8 +71,8 @@ TEST(HardRange, APowerOfTwoOfLightIsThatPowerOfEverythingBitForBit) {
 
 RC_GTEST_PROP(HardRange, LightTimesAFactorIsEverythingTimesTheFactor, ()) {
     const double factor = drawnByMagnitude(1e-8, 1e8);
-    const Lit reference(scene().volume(), paramsOf(kLights, 1 << 10));
-    const Lit lit(scene().volume(), paramsOf(times(kLights, factor), 1 << 10));
+    const Lit reference(sceneVolume().volume(), paramsOf(kLights, 1 << 10));
+    const Lit lit(sceneVolume().volume(), paramsOf(times(kLights, factor), 1 << 10));
     // Each light's factor is rounded to float, times an integer, and added to the other's: four
     // roundings of 6e-8; the picture's path adds as many.
     for (size_t i = 0; i < reference.result.fluence.values.size(); ++i) {
@@ -88,9 +88,9 @@ RC_GTEST_PROP(HardRange, TwoLightsGiveTheSumOfEachAlone, ()) {
     const Light a = beam(drawnDirection(), dvec3(drawnByMagnitude(1e-3, 1e3), 1, 2));
     const Light b =
         lamp(8.0 + drawn(2, 40) * drawnDirection(), dvec3(1, drawnByMagnitude(1e-3, 1e3), 3));
-    const Lit first(scene().volume(), paramsOf({a}, 1 << 10));
-    const Lit second(scene().volume(), paramsOf({b}, 1 << 10));
-    const Lit both(scene().volume(), paramsOf({a, b}, 1 << 10));
+    const Lit first(sceneVolume().volume(), paramsOf({a}, 1 << 10));
+    const Lit second(sceneVolume().volume(), paramsOf({b}, 1 << 10));
+    const Lit both(sceneVolume().volume(), paramsOf({a, b}, 1 << 10));
     for (size_t i = 0; i < both.result.fluence.values.size(); ++i) {
         const double sum =
             static_cast<double>(first.result.fluence.values[i]) + second.result.fluence.values[i];

@@ -15,7 +15,7 @@ using glm::ivec3;
 namespace {
 
 /// A medium that bends, dims in colours, and shines, of 12 voxels' edge h.
-volume::Volume scene(double h, const dmat4& placed = dmat4(1)) {
+volume::Volume sceneVolume(double h, const dmat4& placed = dmat4(1)) {
     TestVolume out(ivec3(12), h, placed);
     out.index([=](dvec3 p) {
         const dvec3 q = p / h;
@@ -91,14 +91,14 @@ TEST(HardShape, VolumesOfAnyShapeAreSeenAndLitTheirWholeLength) {
 }
 
 TEST(HardShape, AVolumesUnitDoesNotChangeThePicture) {
-    const Look one(scene(1), viewOf(1));
+    const Look one(sceneVolume(1), viewOf(1));
     for (const double h : {2e-5, 1e-3, 1e6}) {
         SCOPED_TRACE(h);
-        const Look other(scene(h), viewOf(h));
+        const Look other(sceneVolume(h), viewOf(h));
         expectSame(one, other, 1e-5); // coefficients in 1/voxel, and the camera, round once each
         EXPECT_NEAR(other.at("path_length", 3, 4) / h, one.at("path_length", 3, 4), 1e-4);
-        const lightsim::Lit small(scene(1), lightsim::paramsOf({lightsim::beam({1, -2, 1})}));
-        const lightsim::Lit lit(scene(h), lightsim::paramsOf({lightsim::beam({1, -2, 1})}));
+        const lightsim::Lit small(sceneVolume(1), lightsim::paramsOf({lightsim::beam({1, -2, 1})}));
+        const lightsim::Lit lit(sceneVolume(h), lightsim::paramsOf({lightsim::beam({1, -2, 1})}));
         forEachVoxel(ivec3(12), [&](ivec3 p) {
             // The same weights but for the last bit of a coefficient, which moves the dither.
             ASSERT_NEAR(lit.fluence(p), small.fluence(p), 1e-3 * small.fluence(p) + 1e-4);
@@ -118,14 +118,14 @@ TEST(HardShape, AVoxelTooSmallForVdbIsRefusedInWords) {
 RC_GTEST_PROP(HardShape, AVolumeFarFromTheOriginLooksTheSame, ()) {
     const double distance = *rc::gen::element(1e3, 1e6, 1e8);
     const dmat4 placed = glm::translate(dmat4(1), distance * drawnDirection());
-    const Look near(scene(1), viewOf(1)), far(scene(1, placed), viewOf(1, placed));
+    const Look near(sceneVolume(1), viewOf(1)), far(sceneVolume(1, placed), viewOf(1, placed));
     // Set up in double: 1e8 · 1e-16 of a voxel, 1e-8, is below the floats of the walk.
     expectSame(near, far, 2e-5);
     const lightsim::Light here = lightsim::lamp({-5, 7, 20}, dvec3(400)),
                           there =
                               lightsim::lamp(dvec3(placed * glm::dvec4(-5, 7, 20, 1)), dvec3(400));
-    const lightsim::Lit a(scene(1), lightsim::paramsOf({here}, 1 << 12)),
-        b(scene(1, placed), lightsim::paramsOf({there}, 1 << 12));
+    const lightsim::Lit a(sceneVolume(1), lightsim::paramsOf({here}, 1 << 12)),
+        b(sceneVolume(1, placed), lightsim::paramsOf({there}, 1 << 12));
     double difference = 0;
     forEachVoxel(ivec3(12), [&](ivec3 p) { difference += std::abs(a.fluence(p) - b.fluence(p)); });
     // A photon in a thousand that grazes a voxel's edge may fall on its other side.
@@ -135,8 +135,8 @@ RC_GTEST_PROP(HardShape, AVolumeFarFromTheOriginLooksTheSame, ()) {
 RC_GTEST_PROP(HardShape, ATurnedVolumeSeenByATurnedCameraLooksTheSame, ()) {
     const double h = drawnByMagnitude(1e-3, 1e3);
     const dmat4 placed = drawnPlace(drawn(0, 100) * h);
-    const Look still(scene(1), viewOf(1));
-    const Look turned(scene(h, placed), viewOf(h, placed));
+    const Look still(sceneVolume(1), viewOf(1));
+    const Look turned(sceneVolume(h, placed), viewOf(h, placed));
     // Floats of the camera's axes and of some thirty curved steps.
     expectSame(still, turned, 1e-4);
     for (int y = 0; y < 8; ++y)

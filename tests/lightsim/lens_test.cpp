@@ -110,7 +110,7 @@ TEST(LightLens, APointLightsRaysAreBentToo) {
     scene.index([](dvec3 p) { return ball(p, {12, 12, 14}, 7); });
     const Lit lit(scene.volume(), paramsOf({lamp({12, 12, -20})}, 1 << 16));
     ivec3 brightest(0);
-    forEachVoxel(lit.plan.size, [&](ivec3 p) {
+    forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) {
         if (p.z >= 14 && lit.fluence(p) > lit.fluence(brightest)) brightest = p;
     });
     EXPECT_TRUE(brightest.x == 11 || brightest.x == 12) << brightest.x;
@@ -131,7 +131,7 @@ TEST(LightLens, AGradedRodFocusesAfterAQuarterOfAPeriod) {
     for (const double side : {1.0, -1.0}) {
         const Lit lit(scene.volume(), paramsOf({beam({0, 0, side})}, 1 << 14));
         ivec3 brightest(0);
-        forEachVoxel(lit.plan.size, [&](ivec3 p) {
+        forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) {
             if (lit.fluence(p) > lit.fluence(brightest)) brightest = p;
         });
         EXPECT_EQ(brightest.x, 8);

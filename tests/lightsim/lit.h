@@ -46,7 +46,7 @@ struct Lit {
     Lit(const volume::Volume& volume, const Params& params) {
         params.check();
         plan = makePlan(volume, params);
-        result = simulate(device(), volume, plan, params, stats, {});
+        result = simulate(device(), plan, params, stats, {});
         expectClosed(stats.energy);
     }
 
@@ -62,7 +62,7 @@ struct Lit {
     /// Sum of the fluence over the voxels [W/m²].
     double total(int c = 0) const {
         double sum = 0;
-        forEachVoxel(plan.size, [&](glm::ivec3 p) { sum += fluence(p, c); });
+        forEachVoxel(plan.scene.size(), [&](glm::ivec3 p) { sum += fluence(p, c); });
         return sum;
     }
 

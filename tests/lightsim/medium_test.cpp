@@ -12,11 +12,11 @@ using glm::ivec3;
 namespace {
 
 /// Σ fluence × σ × voxel volume, the power a medium takes by the fluence it stores [W].
-double takenBy(const Lit& lit, const medium::Coefficient& sigma, int c = 0) {
-    const double h = lit.plan.voxelSize;
+double takenBy(const Lit& lit, const scene::Values& sigma, int c = 0) {
+    const double h = lit.plan.scene.voxelSize();
     double sum = 0;
     size_t i = 0;
-    forEachVoxel(lit.plan.size, [&](ivec3 p) { sum += lit.fluence(p, c) * sigma.at(i++, c); });
+    forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) { sum += lit.fluence(p, c) * sigma.at(i++, c); });
     return sum * h * h * h;
 }
 
@@ -57,7 +57,7 @@ TEST(LightMedium, AbsorptionFollowsBeerAndLambert) {
             EXPECT_NEAR(energy.absorbed[i] / energy.entered[i], 1 - std::exp(-8 * s), 1e-4);
             EXPECT_EQ(energy.scattered[i], 0);
             // And the same power by the fluence, whose fixed point may round.
-            EXPECT_NEAR(takenBy(lit, lit.plan.absorption, c), energy.absorbed[i],
+            EXPECT_NEAR(takenBy(lit, lit.plan.scene.medium().absorption, c), energy.absorbed[i],
                         1e-4 * energy.entered[i]);
         }
     }
@@ -79,7 +79,7 @@ TEST(LightMedium, ExtinctionIsSharedByItsParts) {
             // Both are the same sums of floats times their coefficients.
             EXPECT_NEAR(energy.absorbed[i], share * (energy.absorbed[i] + energy.scattered[i]),
                         1e-5 * energy.entered[i]);
-            EXPECT_NEAR(takenBy(lit, lit.plan.scattering, c), energy.scattered[i],
+            EXPECT_NEAR(takenBy(lit, lit.plan.scene.medium().scattering, c), energy.scattered[i],
                         1e-4 * energy.entered[i]); // fixed point
             EXPECT_GT(energy.escaped[i], 0);
         }

@@ -26,7 +26,7 @@ TestVolume glassBall(int size) {
 /// Mean absolute difference of fluence between two runs of one volume.
 double difference(const Lit& a, const Lit& b) {
     double sum = 0;
-    forEachVoxel(a.plan.size, [&](ivec3 p) { sum += std::abs(a.fluence(p) - b.fluence(p)); });
+    forEachVoxel(a.plan.scene.size(), [&](ivec3 p) { sum += std::abs(a.fluence(p) - b.fluence(p)); });
     return sum / static_cast<double>(a.plan.voxels());
 }
 

@@ -15,15 +15,15 @@ namespace {
 using Distance = TestVolume::Scalar;
 
 /// One object, in a medium of index 1.
-TestVolume scene(ivec3 size, const Distance& sdf, const Distance& n) {
+TestVolume sceneVolume(ivec3 size, const Distance& sdf, const Distance& n) {
     TestVolume out(size);
     out.add("sdf", sdf, 1e3);
     out.index(n, 1);
     return out;
 }
 
-TestVolume scene(ivec3 size, const Distance& sdf, double n) {
-    return scene(size, sdf, [=](dvec3) { return n; });
+TestVolume sceneVolume(ivec3 size, const Distance& sdf, double n) {
+    return sceneVolume(size, sdf, [=](dvec3) { return n; });
 }
 
 Distance slab(double low, double high) {
@@ -93,7 +93,7 @@ TEST(LightSharp, ASlabIsSnellsAndFresnels) {
         const int length = degrees < 60 ? 72 : 112;
         Params params = paramsOf({beam({sine, 0, cosine})}, std::int64_t{2048} * length);
         params.proxy = sheet({length, 8}, 0.125);
-        const Lit found = lit(scene({length, 8, 20}, slab(6.25, 12.25), n), params);
+        const Lit found = lit(sceneVolume({length, 8, 20}, slab(6.25, 12.25), n), params);
         const ivec3 low(length - 9, 0, 0), high(length - 1, 8, 0);
         const auto at = [&](int from, int to) {
             return mean(found, low + ivec3(0, 0, from), high + ivec3(0, 0, to));
@@ -111,7 +111,7 @@ TEST(LightSharp, ASlabIsSnellsAndFresnels) {
 
 TEST(LightSharp, WhatASlabAbsorbsIsBooked) {
     const double R = 0.04, sigma = 0.05, depth = 7.5, a = std::exp(-sigma * depth);
-    TestVolume glass = scene({16, 16, 20}, slab(6.25, 13.75), 1.5);
+    TestVolume glass = sceneVolume({16, 16, 20}, slab(6.25, 13.75), 1.5);
     glass.addVector("absorption", [=](dvec3) { return dvec3(0.3, 1, 2) * sigma; });
     const Lit found = lit(glass, paramsOf({beam({0, 0, 1})}, 1 << 16));
     EXPECT_TRUE(found.plan.colour);
@@ -132,7 +132,7 @@ TEST(LightSharp, AnObjectMayAbsorbHereMoreThanThere) {
     // σ rises along the way: the integral over the slab is that of its middle. Beyond the slab the
     // grid goes on, and is not read.
     const double R = 0.04, a = std::exp(-0.01 * 10 * 7.5);
-    TestVolume glass = scene({16, 16, 20}, slab(6.25, 13.75), 1.5);
+    TestVolume glass = sceneVolume({16, 16, 20}, slab(6.25, 13.75), 1.5);
     glass.addVector("absorption", [=](dvec3 p) { return dvec3(0.01 * p.z); });
     const Lit found = lit(glass, paramsOf({beam({0, 0, 1})}, 1 << 16));
     // 2^16 photons, of which the share reflected is off by some tens.
@@ -149,13 +149,13 @@ TEST(LightSharp, OutOfGlassLightIsRefractedOrTotallyReflected) {
         SCOPED_TRACE(degrees);
         const double sine = std::sin(degrees * M_PI / 180), cosine = std::sqrt(1 - sine * sine);
         const Distance under = [=](dvec3 p) { return cosine * (p.z - 16) - sine * (p.x - 24); };
-        const Lit found = lit(scene({48, 8, 32}, under, n), paramsOf({beam({0, 0, 1})}, 1 << 18));
+        const Lit found = lit(sceneVolume({48, 8, 32}, under, n), paramsOf({beam({0, 0, 1})}, 1 << 18));
         const Energy& energy = found.stats.energy;
         const double out = n * sine;
         if (out >= 1) {
             // Beyond the plane, above glass, no voxel that it does not cut has any light.
             double most = 0;
-            forEachVoxel(found.plan.size, [&](ivec3 p) {
+            forEachVoxel(found.plan.scene.size(), [&](ivec3 p) {
                 const dvec3 middle = dvec3(p) + 0.5;
                 if (under(middle) > 1 && under({middle.x - 1, middle.y, 0}) < 0)
                     most = std::max(most, found.fluence(p));
@@ -181,7 +181,7 @@ TEST(LightSharp, ARoofPrismSendsBackAllThatItGets) {
         return std::max(8 - p.z, (std::abs(p.x - 40) + p.z - 40) * std::sqrt(0.5));
     };
     const Lit found =
-        lit(scene({80, 4, 48}, prism, 1.5), paramsOf({beam({0, 0, 1})}, 80 * 4 * 256));
+        lit(sceneVolume({80, 4, 48}, prism, 1.5), paramsOf({beam({0, 0, 1})}, 80 * 4 * 256));
     // Edges are round over two voxels or three, and scatter what hits them: some 7 in 64 of the
     // light, of which little comes this way.
     EXPECT_NEAR(mean(found, {20, 0, 1}, {32, 4, 7}), 2, 0.02);
@@ -192,7 +192,7 @@ TEST(LightSharp, ARoofPrismSendsBackAllThatItGets) {
 TEST(LightSharp, ABallGathersLightAtItsCentreAndAbsorbsItsChords) {
     const double n = 1.5, radius = 20;
     const dvec3 centre(24);
-    TestVolume clear = scene(ivec3(48), ball(centre, radius), n);
+    TestVolume clear = sceneVolume(ivec3(48), ball(centre, radius), n);
     const Lit found = lit(clear, paramsOf({beam({0, 0, 1})}, 1 << 19));
     // The front focuses 3 radii behind its vertex: at the centre a bundle is 2/3 as wide. So it is
     // on its way back from the rear, a concave mirror. Aberration: those who pass within a voxel
@@ -226,7 +226,7 @@ TEST(LightSharp, LayersThatTouchAreOneBoundary) {
         layers.add("sdf.first", slab(8.4, 16.4), 1e3).add("sdf.second", slab(16.4, 24.4), 1e3);
         layers.constant("ior.first", 1.5).constant("ior.second", second);
         const Lit found = lit(layers, paramsOf({beam({0, 0, 1})}, 1 << 16));
-        EXPECT_EQ(found.plan.objects.solids.size(), 2u);
+        EXPECT_EQ(found.plan.scene.objects.size(), 2u);
         const auto between = [](double a, double b) {
             return boundary((a - b) * (a - b) / ((a + b) * (a + b)));
         };
@@ -240,7 +240,7 @@ TEST(LightSharp, LayersThatTouchAreOneBoundary) {
 
 TEST(LightSharp, AnOpaqueObjectHasASharpShadow) {
     const Distance edge = [](dvec3 p) { return std::max(p.x - 12.25, 10 - p.z); };
-    TestVolume block = scene({24, 8, 24}, edge, 1);
+    TestVolume block = sceneVolume({24, 8, 24}, edge, 1);
     block.add("opacity", [&](dvec3 p) { return edge(p) < 0; });
     block.constantVector("scattering", dvec3(0)); // what render sees is the surface
     Params params = paramsOf({beam({0, 0, 1})}, 64 * 24 * 8);
@@ -272,7 +272,7 @@ TEST(LightSharp, AGradedBallBendsLightWithinItsBoundary) {
             };
             Params params = paramsOf({beam({0, 0, 1})}, 1 << 17);
             params.tracing.integrator = integrator;
-            const Lit found = lit(scene(ivec3(48), ball(centre, radius), index), params);
+            const Lit found = lit(sceneVolume(ivec3(48), ball(centre, radius), index), params);
             EXPECT_TRUE(found.plan.bends);
             const double R = fresnel(rim, 1);
             // 16 voxels of 120 to 250 photons; those who pass within a voxel came within three at
@@ -290,9 +290,9 @@ TEST(LightSharp, AnObjectLikeItsSurroundingsChangesNothing) {
     };
     const auto lights = paramsOf({beam({1, 2, 3}), lamp({12, 11, 13})}, 1 << 14);
     const TestVolume empty = std::move(TestVolume(ivec3(24)).constant("ior", 1));
-    const Lit there = lit(scene(ivec3(24), cube, 1), lights), gone = lit(empty, lights);
-    EXPECT_TRUE(there.plan.sharp);
-    EXPECT_FALSE(gone.plan.sharp);
+    const Lit there = lit(sceneVolume(ivec3(24), cube, 1), lights), gone = lit(empty, lights);
+    EXPECT_TRUE(there.plan.scene.sharp);
+    EXPECT_FALSE(gone.plan.scene.sharp);
     double off = 0;
     forEachVoxel(ivec3(24), [&](ivec3 p) {
         off += std::abs(there.fluence(p) - gone.fluence(p)) / 13824;
@@ -303,7 +303,7 @@ TEST(LightSharp, AnObjectLikeItsSurroundingsChangesNothing) {
 }
 
 TEST(LightSharp, MirrorsAreTinted) {
-    TestVolume glass = scene({16, 16, 20}, slab(6.25, 13.75), 1.5);
+    TestVolume glass = sceneVolume({16, 16, 20}, slab(6.25, 13.75), 1.5);
     glass.addVector("reflectance", [](dvec3) { return dvec3(1, 0.5, 0); });
     const Lit found = lit(glass, paramsOf({beam({0, 0, 1})}, 1 << 16));
     for (int c = 0; c < 3; ++c) {
@@ -324,7 +324,7 @@ TEST(LightSharp, LightThatNeverLeavesIsLostAfterSoManyBoundaries) {
     Params params = paramsOf({lamp({24, 24, 24 + 0.9 * radius})}, 1 << 14);
     params.maxDepth = 12;
     params.thinTo = 0;
-    const Lit found = lit(scene(ivec3(48), ball(dvec3(24), radius), 1.5), params);
+    const Lit found = lit(sceneVolume(ivec3(48), ball(dvec3(24), radius), 1.5), params);
     const double sine = 1 / (0.9 * 1.5), caught = std::sqrt(1 - sine * sine);
     // Just short of the critical angle some are reflected twelve times, by chance.
     const Energy& energy = found.stats.energy;
@@ -333,15 +333,15 @@ TEST(LightSharp, LightThatNeverLeavesIsLostAfterSoManyBoundaries) {
 }
 
 TEST(LightSharp, RunsRepeatAndSeedsDifferLittle) {
-    TestVolume scene_ = scene(ivec3(24), ball(dvec3(12.3), 8), 1.5);
-    scene_.constantVector("scattering", {0.01, 0.02, 0.03});
+    TestVolume tinted = sceneVolume(ivec3(24), ball(dvec3(12.3), 8), 1.5);
+    tinted.constantVector("scattering", {0.01, 0.02, 0.03});
     Params params = paramsOf({beam({1, 2, 3}), lamp({3, 4, 5})}, 1 << 14);
-    const Lit a = lit(scene_, params), b = lit(scene_, params);
+    const Lit a = lit(tinted, params), b = lit(tinted, params);
     EXPECT_EQ(a.result.fluence.values, b.result.fluence.values);
     EXPECT_EQ(a.result.direction.values, b.result.direction.values);
     EXPECT_EQ(a.stats.counters, b.stats.counters);
     params.seed = 1;
-    const Lit c = lit(scene_, params);
+    const Lit c = lit(tinted, params);
     double off = 0;
     forEachVoxel(ivec3(24), [&](ivec3 p) { off += std::abs(a.fluence(p) - c.fluence(p)) / 13824; });
     EXPECT_GT(off, 0);
@@ -359,7 +359,7 @@ TEST(LightSharp, NeighboursShareOutReflection) {
     for (const int seed : {0, 1, 2, 3}) {
         Params params = paramsOf({beam({0, 0, 1})}, 16 * 64 * 64);
         params.seed = static_cast<std::uint32_t>(seed);
-        const Lit found = lit(scene({64, 64, 12}, slab(3.25, 7.25), 1.5), params);
+        const Lit found = lit(sceneVolume({64, 64, 12}, slab(3.25, 7.25), 1.5), params);
         double alone = 0, patch = 0;
         for (int y = 0; y < 64; y += 4)
             for (int x = 0; x < 64; x += 4) {
@@ -375,7 +375,7 @@ TEST(LightSharp, NeighboursShareOutReflection) {
 }
 
 TEST(LightSharp, ThePlanSaysWhatIsTracedAndWhy) {
-    TestVolume glass = scene(ivec3(8), ball(dvec3(4), 2), 1.5);
+    TestVolume glass = sceneVolume(ivec3(8), ball(dvec3(4), 2), 1.5);
     Params params = paramsOf({beam({0, 0, 1})});
     params.automaticOutputs = true;
     EXPECT_EQ(makePlan(glass.volume(), params).outputs, Output::none);
@@ -384,11 +384,11 @@ TEST(LightSharp, ThePlanSaysWhatIsTracedAndWhy) {
     glass.constant("anisotropy", 0.5);
     const Plan plan = makePlan(glass.volume(), params);
     EXPECT_EQ(plan.outputs, Output::both);
-    EXPECT_TRUE(plan.sharp && plan.attenuates && !plan.bends && !plan.colour && !plan.dense);
+    EXPECT_TRUE(plan.scene.sharp && plan.attenuates && !plan.bends && !plan.colour && !plan.dense);
     EXPECT_EQ(plan.effects.front().name, "sharp_boundaries");
     EXPECT_TRUE(plan.effects.front().on);
     params.tracing.boundary = optics::Boundary::blurred;
-    EXPECT_FALSE(makePlan(glass.volume(), params).sharp);
+    EXPECT_FALSE(makePlan(glass.volume(), params).scene.sharp);
 }
 
 TEST(LightSharp, WhatCannotBeTracedIsADataError) {
@@ -396,7 +396,7 @@ TEST(LightSharp, WhatCannotBeTracedIsADataError) {
     params.tracing.boundary = optics::Boundary::sharp;
     const TestVolume bare = std::move(TestVolume(ivec3(8)).constant("ior", 1.5));
     EXPECT_THROW(makePlan(bare.volume(), params), DataError);
-    TestVolume uneven = scene(ivec3(8), ball(dvec3(4), 2), 1.5);
+    TestVolume uneven = sceneVolume(ivec3(8), ball(dvec3(4), 2), 1.5);
     uneven.addVector("reflectance", [](dvec3 p) { return dvec3(p.x / 8); });
     EXPECT_THROW(makePlan(uneven.volume(), params), DataError);
     params.maxDepth = -1;

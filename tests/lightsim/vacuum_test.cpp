@@ -39,7 +39,7 @@ TEST(LightVacuum, FluenceIsTheIrradianceEverywhere) {
         // four deviations of that are 6 %.
         const double tolerance = alongAxis ? 1e-5 : 0.06;
         const dvec3 unit = glm::normalize(direction);
-        forEachVoxel(lit.plan.size, [&](ivec3 p) {
+        forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) {
             for (int c = 0; c < 3; ++c)
                 ASSERT_NEAR(lit.fluence(p, c), 3 - c, tolerance * (3 - c))
                     << p.x << " " << p.y << " " << p.z;
@@ -133,7 +133,7 @@ TEST(LightVacuum, APointLightInsideSendsAllItHas) {
     // floats.
     EXPECT_NEAR(lit.stats.energy.entered[0], 4 * kPi, 1e-5 * 4 * kPi);
     double worst = 0, mean = 0, count = 0;
-    forEachVoxel(lit.plan.size, [&](ivec3 p) {
+    forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) {
         const dvec3 away = dvec3(p) + 0.5 - place;
         const double r = glm::length(away);
         if (r < 3) return; // within, 1/r² varies over a voxel
@@ -158,7 +158,7 @@ TEST(LightVacuum, AFewPhotonsCarryAllTheLight) {
         const Lit lit(emptiness({15, 15, 15}).volume(), paramsOf({lamp(dvec3(7.5))}, photons));
         EXPECT_NEAR(lit.stats.energy.entered[0], 4 * kPi, 1e-5 * 4 * kPi) << photons; // floats
         double paths = 0;
-        forEachVoxel(lit.plan.size, [&](ivec3 p) { paths += lit.fluence(p); });
+        forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) { paths += lit.fluence(p); });
         // Each travels from the centre to a face: between half the edge and half the diagonal.
         EXPECT_GE(paths, 7.5 * 4 * kPi * (1 - 1e-4)) << photons; // fixed point and floats
         EXPECT_LE(paths, 7.5 * std::sqrt(3.0) * 4 * kPi) << photons;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../lightsim/test_volume.h"
 #include "gpu/program.h"
-#include "medium/field.h"
+#include "scene/field.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -11,7 +11,7 @@
 #include <random>
 
 using namespace eikonal;
-using namespace eikonal::medium;
+using namespace eikonal::scene;
 using glm::dvec3;
 using glm::ivec3;
 using glm::vec4;

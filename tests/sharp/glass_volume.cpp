@@ -151,7 +151,7 @@ Off offOf(const view::Look& look, const view::Params& params, const judge::Glass
         for (int x = 0; x < look.picture.width; ++x) {
             const judge::Ray ray = rayOf(params, x, y);
             if (!counts(ray)) continue;
-            const judge::Exit wanted = judge::exitOf(glass, ray, dvec3(0), dvec3(look.plan.size));
+            const judge::Exit wanted = judge::exitOf(glass, ray, dvec3(0), dvec3(look.plan.scene.size()));
             const double degrees = degreesBetween(look.direction(x, y), wanted.direction);
             if (!(degrees <= off.degrees)) off.degrees = degrees, off.worst = ray;
             // Across: where a ray leaves a face at a slant it says more of the slant than of the

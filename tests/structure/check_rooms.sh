@@ -28,6 +28,14 @@ for folder in */; do
     done < <(grep -rnE '^#include "[^"]+/' "$room")
 done
 
+# A room is granted no more than it uses.
+for room in "${!allowed[@]}"; do
+    for other in ${allowed[$room]}; do
+        [ "$other" = "$room" ] && continue
+        grep -rqE "^#include \"$other/" "$room" || complain "rooms.txt: room $room never includes room $other"
+    done
+done
+
 # vendor pattern : the rooms behind whose door it stays
 while IFS='|' read -r pattern rooms; do
     while IFS=: read -r file line _; do

@@ -32,9 +32,9 @@ struct Look {
     Look(std::vector<volume::Volume> volumes, const Params& params,
          const std::optional<image::Image>& map = {}) {
         params.check();
-        const Scene scene(std::move(volumes));
-        plan = makePlan(scene, params, map.has_value());
-        picture = render(device(), scene, plan, params, map, stats, {});
+        const scene::Files files(std::move(volumes));
+        plan = makePlan(files, params, map.has_value());
+        picture = render(device(), plan, params, map, stats, {});
         for (const float value : picture.pixels) EXPECT_TRUE(std::isfinite(value));
     }
     Look(volume::Volume volume, const Params& params, const std::optional<image::Image>& map = {})

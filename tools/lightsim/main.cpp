@@ -6,6 +6,7 @@
 #include "lightsim/lightsim.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
+#include "scene/effects.h"
 
 using namespace eikonal;
 
@@ -32,7 +33,6 @@ void addOptions(CLI::App& app, Options& o) {
         ->required()
         ->allow_extra_args(false);
     app.add_option("--method", o.method, "how light is carried: photons")
-        ->check(CLI::IsMember({"photons"}))
         ->capture_default_str();
     app.add_option("--outputs", o.outputs,
                    "auto (what a render of the file needs, possibly nothing), or a list of "
@@ -125,6 +125,7 @@ void writeOctree(tool::Session& session, const Options& o, const volume::Volume&
 
 void simulate(tool::Session& session, Options& o) {
     for (const std::string& spec : o.lights) o.params.lights.push_back(lightsim::parseLight(spec));
+    o.params.method = lightsim::parseMethod(o.method);
     o.params.automaticOutputs = o.outputs == "auto";
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
     o.params.seed = session.seed();
@@ -144,8 +145,7 @@ void simulate(tool::Session& session, Options& o) {
     if (session.explains()) {
         session.explain(
             plan->effects, plan->warnings,
-            {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
-                            " x " + std::to_string(plan->size.z)},
+            {{"voxels", scene::sizeText(plan->scene)},
              {"lights", std::to_string(o.params.lights.size())},
              {"photons", std::to_string(o.params.photons) + " per light at most"},
              {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
@@ -159,8 +159,8 @@ void simulate(tool::Session& session, Options& o) {
         session.note("nothing in " + volume->path() +
                      " scatters or receives light: nothing to simulate");
     } else {
-        lightsim::Result result = lightsim::simulate(session.device(), *volume, *plan, o.params,
-                                                     session.stats(), session.progress());
+        lightsim::Result result = lightsim::simulate(session.device(), *plan, o.params, session.stats(),
+                                                     session.progress());
         o.tracing->warnOf(session, "photons");
         session.pass("grids", [&] {
             volume::PutOptions options;

@@ -6,6 +6,7 @@
 #include "gpu/device.h"
 #include "image/exr.h"
 #include "image/picture.h"
+#include "scene/effects.h"
 #include "view/view.h"
 
 #include <cctype>
@@ -120,13 +121,13 @@ void parseTexts(Options& o) {
     o.toneMap.curve = o.tone == "filmic" ? image::ToneCurve::filmic : image::ToneCurve::clip;
 }
 
-void writePictures(tool::Session& session, const Options& o, const view::Scene& scene,
+void writePictures(tool::Session& session, const Options& o, const scene::Files& files,
                    const image::Image& picture) {
     const History history = session.history();
     image::ImageAttributes attributes;
     attributes.strings = {{"eikonal:tool", history.tool},
                           {"eikonal:version", history.version},
-                          {"eikonal:command", appendHistory(scene.history(), history.command)}};
+                          {"eikonal:command", appendHistory(files.history(), history.command)}};
     view::describeCamera(o.params.camera, attributes);
     for (const auto& out : session.outputs()) {
         if (image::isDisplayPicture(out->path()))
@@ -165,7 +166,7 @@ void render(tool::Session& session, Options& o) {
     const size_t kFloats = 4 + 16 + 24;
     image::checkSize(o.params.camera.width, o.params.camera.rows, kFloats, "--size " + o.size);
 
-    std::optional<view::Scene> scene;
+    std::optional<scene::Files> files;
     std::optional<view::Plan> plan;
     std::optional<image::Image> map;
     session.pass("read", [&] {
@@ -173,25 +174,24 @@ void render(tool::Session& session, Options& o) {
         for (const std::string& input : o.inputs)
             volumes.push_back(volume::Volume::open(input, o.names));
         if (!o.environment.empty()) map = image::readEnvironment(o.environment);
-        scene.emplace(std::move(volumes));
-        plan = view::makePlan(*scene, o.params, map.has_value());
+        files.emplace(std::move(volumes));
+        plan = view::makePlan(*files, o.params, map.has_value());
     });
     if (session.explains()) {
         session.explain(
             plan->effects, plan->warnings,
-            {{"voxels", std::to_string(plan->size.x) + " x " + std::to_string(plan->size.y) +
-                            " x " + std::to_string(plan->size.z)},
+            {{"voxels", scene::sizeText(plan->scene)},
              {"picture", o.size},
-             {"tracing", plan->index.varies() ? o.params.text() : "straight"}});
+             {"tracing", plan->scene.index.varies() ? o.params.text() : "straight"}});
         return;
     }
     session.stats().effects = plan->effects;
     for (const std::string& warning : plan->warnings) session.warn(warning);
     session.outputs();
-    const image::Image picture = view::render(session.device(), *scene, *plan, o.params, map,
+    const image::Image picture = view::render(session.device(), *plan, o.params, map,
                                               session.stats(), session.progress());
     o.tracing->warnOf(session, "rays");
-    session.pass("write", [&] { writePictures(session, o, *scene, picture); });
+    session.pass("write", [&] { writePictures(session, o, *files, picture); });
 }
 
 } // namespace

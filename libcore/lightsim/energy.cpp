@@ -1,0 +1,71 @@
+// Where a batch's energy went.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/energy.h"
+
+#include <algorithm>
+
+namespace eikonal::lightsim {
+
+namespace {
+
+using glm::dvec3;
+
+// Work items that sum up a batch: enough to fill a device, few enough to read back.
+constexpr unsigned kItems = 1024;
+
+} // namespace
+
+EnergyMeter::EnergyMeter(gpu::Device& device)
+    : mProgram(device, "lightsim/energy.comp.glsl", {}), mBlock(device, sizeof(PhotonParams)),
+      mSums(device, kItems * static_cast<std::int64_t>(sizeof(EnergySum))) {}
+
+BatchEnergy EnergyMeter::sum(const scene::Transport& transport, const Photons& photons) {
+    PhotonParams values{};
+    values.list = uvec4(0, kItems, 0,
+                        static_cast<unsigned>(photons.pixels.x) *
+                            static_cast<unsigned>(photons.pixels.y));
+    mBlock.upload(&values, sizeof values);
+    mBlock.bindUniform(kParamsBlock);
+    transport.bind();
+    photons.slots.bindStorage(kPhotonsBuffer);
+    mSums.bindStorage(kEnergyBuffer);
+    mProgram.dispatch({static_cast<int>(kItems), 1, 1});
+    gpu::barrier();
+    std::vector<EnergySum> sums(kItems);
+    mSums.download(sums.data(), mSums.bytes());
+    BatchEnergy batch;
+    for (const EnergySum& sum : sums) {
+        batch.remaining += dvec3(sum.remaining);
+        batch.error = std::max(batch.error, static_cast<double>(sum.remaining.w));
+        batch.absorbed += dvec3(sum.absorbed);
+        batch.scattered += dvec3(sum.scattered);
+        batch.escaped += dvec3(sum.escaped);
+        batch.tooDeep += static_cast<double>(sum.escaped.w);
+        for (int i = 0; i < 4; ++i) batch.counts[static_cast<size_t>(i)] += sum.count[i];
+    }
+    return batch;
+}
+
+void book(Stats& stats, const Plan& plan, const Light& light, double power,
+          const BatchEnergy& emitted, const BatchEnergy& done) {
+    Energy& energy = stats.energy;
+    for (int c = 0; c < 3; ++c) {
+        const double watts = light.rgb[c] * power;
+        const auto i = static_cast<size_t>(c);
+        const int channel = plan.colour ? c : 0;
+        // A point light shines all round; what it emits is booked once, by its light.
+        if (light.kind == Light::Kind::directional)
+            energy.emitted[i] += emitted.remaining[channel] * watts;
+        energy.entered[i] += emitted.remaining[channel] * watts;
+        energy.absorbed[i] += done.absorbed[channel] * watts;
+        energy.scattered[i] += done.scattered[channel] * watts;
+        energy.escaped[i] += done.escaped[channel] * watts;
+        energy.lost[i] += (done.remaining[channel] - done.escaped[channel]) * watts;
+    }
+    const char* names[] = {"photons", "steps", "deposits", "trapped"};
+    for (size_t i = 0; i < 4; ++i) stats.count(names[i], done.counts[i]);
+    if (plan.scene.sharp) stats.count("photons_too_deep", done.tooDeep);
+    stats.count("atomic_adds", done.counts[2] * plan.planes());
+}
+
+} // namespace eikonal::lightsim

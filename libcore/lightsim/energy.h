@@ -1,0 +1,35 @@
+// Where a batch's energy went.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "lightsim/photons.h"
+
+#include <array>
+
+namespace eikonal::lightsim {
+
+/// A batch's photons in weights and numbers.
+struct BatchEnergy {
+    glm::dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
+    std::array<double, 4> counts{}; ///< photons, steps, deposits, trapped
+    double tooDeep = 0;             ///< photons that met too many interfaces
+    double error = 0;               ///< the largest, estimated [voxel]
+};
+
+/// Sums up photons on the device.
+class EnergyMeter {
+public:
+    explicit EnergyMeter(gpu::Device& device);
+    BatchEnergy sum(const scene::Transport& transport, const Photons& photons);
+
+private:
+    gpu::Program mProgram;
+    gpu::Buffer mBlock, mSums;
+};
+
+/// Books a batch in the statistics: what entered with the photons when they were emitted, and what
+/// has become of it. A photon of weight 1 has `power` [m² or sr] of the light's RGB.
+void book(Stats& stats, const Plan& plan, const Light& light, double power,
+          const BatchEnergy& emitted, const BatchEnergy& done);
+
+} // namespace eikonal::lightsim

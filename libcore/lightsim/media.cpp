@@ -1,0 +1,42 @@
+// Blurred media, as the photon kernel reads them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/media.h"
+
+#include "scene/padded.h"
+
+namespace eikonal::lightsim {
+
+gpu::Texture makeAbsorption(gpu::Device& device, const Plan& plan) {
+    const scene::Region& medium = plan.scene.medium();
+    const auto h = static_cast<float>(plan.scene.voxelSize()); // 1/unit to 1/voxel
+    if (!plan.colour)
+        return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rg32f, true,
+                                 [&](size_t i, float* out) {
+                                     out[0] = medium.absorption.at(i, 0) * h;
+                                     out[1] = medium.scattering.at(i, 0) * h;
+                                 });
+    return scene::makePadded(
+        device, plan.scene.size(), gpu::TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            for (int c = 0; c < 3; ++c) out[c] = medium.absorption.at(i, c) * h;
+        });
+}
+
+gpu::Texture makeScattering(gpu::Device& device, const Plan& plan) {
+    const scene::Region& medium = plan.scene.medium();
+    const auto h = static_cast<float>(plan.scene.voxelSize());
+    return scene::makePadded(
+        device, plan.scene.size(), gpu::TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            for (int c = 0; c < 3; ++c) out[c] = medium.scattering.at(i, c) * h;
+        });
+}
+
+gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {
+    const scene::Values& opacity = plan.scene.medium().opacity;
+    std::vector<std::uint8_t> opaque(static_cast<size_t>(plan.voxels()));
+    for (size_t i = 0; i < opaque.size(); ++i) opaque[i] = opacity.at(i, 0) > 0.5f;
+    gpu::Texture texture(device, plan.scene.size(), gpu::TexelFormat::r8ui, gpu::Filter::nearest);
+    texture.upload(opaque.data());
+    return texture;
+}
+
+} // namespace eikonal::lightsim

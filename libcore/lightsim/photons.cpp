@@ -1,0 +1,95 @@
+// Photons on the device: one batch of them, and how they are traced.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/photons.h"
+
+#include "lightsim/media.h"
+#include "lightsim/octree.h"
+
+namespace eikonal::lightsim {
+
+namespace {
+
+// Steps a photon makes in one run before the list is thinned, looks for boundaries included: enough
+// for the photons that meet no boundary to be through, few enough that those done do not hold up
+// their neighbours for long.
+constexpr unsigned kStepsPerRun = 48;
+
+gpu::Switches switchesOf(const Plan& plan, const Params& params) {
+    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
+    switches.emplace_back("CHANNELS", plan.tracedChannels());
+    switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
+    switches.emplace_back("DIRECTION", plan.wants(Output::direction));
+    return switches;
+}
+
+} // namespace
+
+void Photons::fit(gpu::Device& device, const glm::ivec2& batch) {
+    if (pixels == batch) return;
+    pixels = batch;
+    const std::int64_t all = std::int64_t{batch.x} * batch.y;
+    map = gpu::Texture(); // freed before the next is allocated
+    for (gpu::Buffer* buffer : {&slots, &list, &nextList}) *buffer = gpu::Buffer();
+    map = gpu::Texture(device, glm::ivec3(batch, 0), gpu::TexelFormat::rgba32f,
+                       gpu::Filter::nearest);
+    slots = gpu::Buffer(device, all * static_cast<std::int64_t>(sizeof(Photon)));
+    list = gpu::Buffer(device, all * 4);
+    nextList = gpu::Buffer(device, all * 4);
+    if (count.bytes() == 0) count = gpu::Buffer(device, 16);
+}
+
+PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params)
+    : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params)),
+      mBlock(device, sizeof(PhotonParams)) {
+    if (!plan.scene.sharp) {
+        if (plan.attenuates) mAbsorption = makeAbsorption(device, plan);
+        if (plan.attenuates && plan.colour) mScattering = makeScattering(device, plan);
+        if (plan.opaque) mOpaque = makeOpaque(device, plan);
+    }
+    if (plan.usesOctree()) mLeaves = makeOctree(device, plan, params);
+    mParams.size = ivec4(plan.scene.size(), static_cast<int>(plan.voxels()));
+    mParams.list = uvec4(0, kStepsPerRun, params.maxSteps, 0);
+    mParams.depth = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
+    mParams.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
+}
+
+void PhotonTracer::begin(const glm::dvec3& colour, unsigned batch) {
+    mParams.colour = vec4(colour, 0);
+    mParams.depth.y = (mParams.depth.y & 0xFFFF0000u) + batch;
+}
+
+std::uint32_t PhotonTracer::run(gpu::Device& device, const scene::Transport& transport,
+                                Photons& photons, std::uint32_t count, double unit) {
+    const std::uint32_t zero = 0;
+    photons.count.upload(&zero, sizeof zero);
+    mParams.list.x = count;
+    mParams.limits.z = static_cast<float>(unit);
+    mBlock.upload(&mParams, sizeof mParams);
+    mBlock.bindUniform(kParamsBlock);
+    photons.count.bindStorage(kCountBuffer);
+    photons.slots.bindStorage(kPhotonsBuffer);
+    photons.list.bindStorage(kListBuffer);
+    photons.nextList.bindStorage(kNextListBuffer);
+    transport.bind();
+    const std::pair<const gpu::Texture*, unsigned> textures[] = {{&mLeaves, kLeavesUnit},
+                                                                 {&mAbsorption, kAbsorptionUnit},
+                                                                 {&mScattering, kScatteringUnit},
+                                                                 {&mOpaque, kOpaqueUnit}};
+    for (const auto& [texture, place] : textures)
+        if (texture->name() != 0) texture->bindSampler(place);
+    mProgram.dispatch({static_cast<int>(count), 1, 1});
+    gpu::barrier();
+    device.check("photons");
+    std::uint32_t left = 0;
+    photons.count.download(&left, sizeof left);
+    std::swap(photons.list, photons.nextList);
+    return left;
+}
+
+bool PhotonTracer::overflowed(const Photons& photons) {
+    std::uint32_t overflowed = 0;
+    photons.count.download(&overflowed, 4, 4);
+    return overflowed != 0;
+}
+
+} // namespace eikonal::lightsim

@@ -1,0 +1,48 @@
+// Photons on the device: one batch of them, and how they are traced.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/program.h"
+#include "gpu/resources.h"
+#include "lightsim/plan.h"
+#include "lightsim/shared.h"
+#include "scene/transport.h"
+
+namespace eikonal::lightsim {
+
+/// A photon, two entries of lists, a pixel of the photon map.
+constexpr std::int64_t kBytesPerPhoton = sizeof(Photon) + 2 * 4 + 16;
+
+/// The photons of one batch: a slot for each pixel of the map, and lists of those that go on.
+struct Photons {
+    glm::ivec2 pixels{0};
+    gpu::Texture map;
+    gpu::Buffer slots, list, nextList, count;
+
+    /// Makes room for a batch, if it has not got that already.
+    void fit(gpu::Device& device, const glm::ivec2& batch);
+};
+
+/// Traces photons by runs of steps, thinning the list in between.
+class PhotonTracer {
+public:
+    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params);
+
+    /// What tells a batch's photons from those of others, beside their pixels.
+    void begin(const glm::dvec3& colour, unsigned batch);
+    /// One run of steps; deposits in the planes that are bound, `unit` to a voxel's length at
+    /// weight 1. `count` photons are on the list. Returns how many then are on the next one, with
+    /// which it is swapped.
+    std::uint32_t run(gpu::Device& device, const scene::Transport& transport, Photons& photons,
+                      std::uint32_t count, double unit);
+    /// Whether a sum came near its end.
+    static bool overflowed(const Photons& photons);
+
+private:
+    gpu::Program mProgram;
+    gpu::Texture mLeaves, mAbsorption, mScattering, mOpaque;
+    gpu::Buffer mBlock;
+    PhotonParams mParams{};
+};
+
+} // namespace eikonal::lightsim

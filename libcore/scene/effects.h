@@ -1,0 +1,24 @@
+// Which effects a scene calls for, and who asks for them, in words.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/stats.h"
+#include "scene/scene.h"
+
+namespace eikonal::scene {
+
+/// Of a whole scene, in this order: sharp_boundaries, refraction, curved_rays (sharp boundaries
+/// alone), absorption, scattering, anisotropy, emission, opaque, dispersion (where a file has it).
+/// `boundary` is what was asked for.
+std::vector<Effect> effectsOf(const Scene& scene, optics::Boundary boundary);
+
+/// The one of that name; off where it is not listed.
+Effect effectNamed(const std::vector<Effect>& effects, const std::string& name);
+
+/// What of the scene will not be traced as people may expect.
+std::vector<std::string> warningsOf(const Scene& scene);
+
+/// "160 x 92 x 109" [voxel].
+std::string sizeText(const Scene& scene);
+
+} // namespace eikonal::scene

@@ -1,0 +1,48 @@
+// The files a scene is made of: the material of the first that has it, the light of all.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/files.h"
+
+#include "base/error.h"
+
+#include <cmath>
+
+namespace eikonal::scene {
+
+namespace {
+
+bool sameFrame(const volume::Frame& a, const volume::Frame& b) {
+    const double kTolerance = 1e-6; // [voxel]; as within one file
+    const glm::dmat4 between = a.indexFromWorld() * b.worldFromIndex;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (std::abs(between[column][row] - (column == row ? 1.0 : 0.0)) > kTolerance)
+                return false;
+    return true;
+}
+
+} // namespace
+
+Files::Files(std::vector<volume::Volume> volumes) : mOwn(std::move(volumes)) {
+    for (const volume::Volume& volume : mOwn) mAll.push_back(&volume);
+    for (const volume::Volume* volume : mAll) {
+        if (!sameFrame(frame(), volume->frame()))
+            throw DataError(volume->path() + ": is on another transform than " + path());
+        mDomain.include(volume->domain());
+    }
+}
+
+Files::Files(const volume::Volume& volume) : mAll{&volume}, mDomain(volume.domain()) {}
+
+const volume::Volume* Files::withGrid(const std::string& grid) const {
+    for (const volume::Volume* volume : mAll)
+        if (volume->has(grid)) return volume;
+    return nullptr;
+}
+
+const volume::Volume* Files::withObjects() const {
+    for (const volume::Volume* volume : mAll)
+        if (!volume->objects().empty()) return volume;
+    return nullptr;
+}
+
+} // namespace eikonal::scene

@@ -1,0 +1,184 @@
+// A scene volume on the host: where it lies, what bounds its objects, what is in them, its light.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene.h"
+
+#include "base/error.h"
+#include "scene/index.h"
+#include "scene/objects.h"
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+
+namespace eikonal::scene {
+
+using glm::vec3;
+
+namespace {
+
+Values readFirst(const Files& files, const std::string& grid) {
+    const volume::Volume* volume = files.withGrid(grid);
+    return readValues(volume ? *volume : files.first(), grid, files.domain());
+}
+
+/// [W/m²], the sum of all files.
+Values readFluence(const Files& files) {
+    Values sum = readValues(*files.all().front(), "fluence", files.domain());
+    for (size_t f = 1; f < files.all().size(); ++f) {
+        const Values part = readValues(*files.all()[f], "fluence", files.domain());
+        if (!part.varies() && !sum.varies()) {
+            sum.value += part.value;
+            continue;
+        }
+        if (!sum.varies()) {
+            const auto voxels = static_cast<size_t>(files.domain().voxels());
+            sum.grid = {files.domain().size(), 3, std::vector<float>(3 * voxels)};
+            for (size_t i = 0; i < 3 * voxels; ++i)
+                sum.grid.values[i] = sum.value[static_cast<int>(i % 3)];
+        }
+        for (size_t i = 0; i < sum.grid.values.size(); ++i)
+            sum.grid.values[i] += part.at(i / 3, static_cast<int>(i % 3));
+    }
+    return sum;
+}
+
+/// World space, weighted by the files' fluence.
+Values readDirection(const Files& files) {
+    if (files.all().size() == 1)
+        return readValues(files.first(), "light_direction", files.domain());
+    const auto voxels = static_cast<size_t>(files.domain().voxels());
+    Values mean;
+    std::vector<float> power(voxels, 0.0f);
+    for (const volume::Volume* volume : files.all()) {
+        const Values part = readValues(*volume, "light_direction", files.domain());
+        const Values weight = readValues(*volume, "fluence", files.domain());
+        if (part.isZero() || weight.isZero()) continue;
+        if (!mean.varies())
+            mean.grid = {files.domain().size(), 3, std::vector<float>(3 * voxels, 0.0f)};
+        for (size_t i = 0; i < voxels; ++i) {
+            const float p = weight.at(i, 0) + weight.at(i, 1) + weight.at(i, 2);
+            power[i] += p;
+            for (int c = 0; c < 3; ++c)
+                mean.grid.values[3 * i + static_cast<size_t>(c)] += p * part.at(i, c);
+        }
+    }
+    for (size_t i = 0; mean.varies() && i < voxels; ++i)
+        for (size_t c = 0; c < 3 && power[i] > 0; ++c) mean.grid.values[3 * i + c] /= power[i];
+    return mean;
+}
+
+void requireOne(const Scene& scene, const char* grid, RegionValues values) {
+    for (const Region& region : scene.regions)
+        if ((region.*values).varies())
+            throw DataError(scene.path + ": grid '" + grid + "' of '" + region.name +
+                            "' varies, expected one value on each side of sharp boundaries "
+                            "(--boundary blurred takes any)");
+}
+
+} // namespace
+
+bool Values::grey() const {
+    if (!varies()) return value.x == value.y && value.y == value.z;
+    for (size_t i = 0; grid.components == 3 && i < grid.values.size(); i += 3)
+        if (grid.values[i] != grid.values[i + 1] || grid.values[i] != grid.values[i + 2])
+            return false;
+    return true;
+}
+
+float Values::at(size_t voxel, int component) const {
+    if (!varies()) return value[component];
+    return grid.components == 1 ? grid.values[voxel]
+                                : grid.values[3 * voxel + static_cast<size_t>(component)];
+}
+
+float Values::most(int component) const {
+    if (!varies()) return value[component];
+    float most = at(0, component);
+    for (size_t i = 0; i < grid.voxels(); ++i) most = std::max(most, at(i, component));
+    return most;
+}
+
+bool Region::coefficientsVary() const {
+    return absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
+}
+
+glm::dmat4 Scene::voxelFromWorld() const {
+    glm::dmat4 voxelFromWorld = frame.indexFromWorld();
+    voxelFromWorld[3] -= glm::dvec4(glm::dvec3(domain.min), 0.0);
+    return voxelFromWorld;
+}
+
+glm::dmat3 Scene::worldFromVoxelTurn() const {
+    return glm::dmat3(frame.worldFromIndex) / frame.voxelSize;
+}
+
+bool Scene::anyHas(RegionValues values) const {
+    return std::any_of(regions.begin(), regions.end(),
+                       [&](const Region& region) { return !(region.*values).isZero(); });
+}
+
+bool Scene::anyColoured(std::initializer_list<RegionValues> values) const {
+    for (const Region& region : regions)
+        for (const RegionValues one : values)
+            if (!(region.*one).grey()) return true;
+    return false;
+}
+
+bool Scene::anyOpaque() const {
+    return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
+        return sharp ? region.opaque : region.opacity.most(0) > 0.5f;
+    });
+}
+
+bool Scene::showsLight() const {
+    const bool receives = sharp ? anyOpaque() : anyHas(&Region::opacity);
+    return receives || anyHas(&Region::scattering);
+}
+
+int Scene::varyingRegions() const {
+    return static_cast<int>(
+        std::count_if(regions.begin(), regions.end(),
+                      [](const Region& region) { return region.coefficientsVary(); }));
+}
+
+Scene read(const Files& files, const Wanted& wanted) {
+    Scene scene;
+    scene.path = files.path();
+    scene.frame = files.frame();
+    scene.domain = files.domain();
+    scene.disperses = files.withGrid("dispersion") != nullptr;
+    const volume::Volume* objects = files.withObjects();
+    scene.sharp = wanted.boundary == optics::Boundary::sharp ||
+                  (wanted.boundary == optics::Boundary::automatic && objects != nullptr);
+    if (scene.sharp) {
+        if (objects == nullptr) files.first().require("sdf");
+        readObjects(scene, *objects);
+    } else {
+        Region region;
+        region.name = volume::kMedium;
+        region.scattering = readFirst(files, "scattering");
+        if (!region.scattering.isZero()) region.anisotropy = readFirst(files, "anisotropy");
+        region.opacity = readFirst(files, "opacity");
+        region.reflectance.value = vec3(1);
+        scene.regions.push_back(std::move(region));
+    }
+    if (wanted.onlyIfLightShows && !scene.showsLight()) return scene;
+    if (scene.sharp) {
+        requireOne(scene, "reflectance", &Region::reflectance);
+        if (wanted.surfaces) requireOne(scene, "albedo", &Region::albedo);
+        scene.index = varyingIndex(scene);
+    } else {
+        const volume::Volume* index = files.withGrid("ior");
+        scene.index = blurredIndex(index ? *index : files.first(), files.domain());
+        Region& region = scene.regions.front();
+        region.absorption = readFirst(files, "absorption");
+        if (wanted.emission) region.emission = readFirst(files, "emission");
+        if (wanted.surfaces && scene.anyOpaque()) region.albedo = readFirst(files, "albedo");
+    }
+    if (!wanted.light || !(scene.anyHas(&Region::scattering) || scene.anyOpaque())) return scene;
+    scene.light.fluence = readFluence(files);
+    if (!scene.light.fluence.isZero() && (scene.anyHas(&Region::anisotropy) || scene.anyOpaque()))
+        scene.light.direction = readDirection(files);
+    return scene;
+}
+
+} // namespace eikonal::scene

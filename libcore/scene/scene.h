@@ -1,0 +1,118 @@
+// A scene volume on the host: where it lies, what bounds its objects, what is in them, its light.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "optics/tracing.h"
+#include "scene/files.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace eikonal::scene {
+
+/// A grid's values in a region: one for all of it, or one per voxel of the domain.
+struct Values {
+    glm::vec3 value{0};     ///< a scalar stands in all three components
+    volume::DenseGrid grid; ///< empty if it does not vary
+
+    bool varies() const { return !grid.values.empty(); }
+    bool isZero() const { return !varies() && value == glm::vec3(0); }
+    /// Whether R = G = B everywhere.
+    bool grey() const;
+    float at(size_t voxel, int component) const;
+    /// The largest value of a component.
+    float most(int component) const;
+};
+
+/// An object, or what surrounds them all. Values are the grids' [1/unit, not voxel].
+struct Region {
+    std::string name;
+    Values index; ///< of sharp boundaries
+    Values absorption, scattering, anisotropy, emission, albedo, reflectance, opacity;
+    bool opaque = false; ///< of sharp boundaries: all of it
+
+    /// Whether what it does to light on its way differs from place to place.
+    bool coefficientsVary() const;
+};
+
+/// A grid's values in a region, whichever that is.
+using RegionValues = Values Region::*;
+
+/// One object's boundary over the part of the domain where it is near or inside.
+struct Object {
+    volume::IndexBox box;        ///< from the domain's first voxel on
+    std::vector<float> distance; ///< signed, negative inside, x fastest [voxel]
+    float band = 0;              ///< no distance is known beyond [voxel]
+    float slope = 1;             ///< how it grows a voxel on, in the mean near the boundary
+};
+
+/// The refractive index where it varies; of several regions each voxel has that of the varying one
+/// which is nearest, so that look-ups within one find its own values alone.
+struct Index {
+    volume::DenseGrid grid; ///< empty where it does not vary
+    float background = 1;   ///< outside the domain
+    float least = 1, most = 1;
+    /// The largest jump between the domain's outermost voxels and the outside; of blurred
+    /// boundaries.
+    float jumpAtFaces = 0;
+
+    bool varies() const { return most > least; }
+};
+
+/// What lightsim stored.
+struct Light {
+    Values fluence;   ///< [W/m²], of all files
+    Values direction; ///< world space, weighted by the files' fluence
+};
+
+/// With sharp boundaries a region is an object, the first that holds a point, or what surrounds
+/// them; blurred, one region is everywhere.
+struct Scene {
+    std::string path; ///< of the first file
+    volume::Frame frame;
+    volume::IndexBox domain;
+    bool sharp = false;
+    bool disperses = false;       ///< some file has a grid 'dispersion'
+    std::vector<Object> objects;  ///< sharp boundaries alone
+    std::vector<Region> regions;  ///< of each object, then of what surrounds them
+    Index index;
+    Light light;
+
+    glm::ivec3 size() const { return domain.size(); }
+    std::int64_t voxels() const { return domain.voxels(); }
+    double voxelSize() const { return frame.voxelSize; }
+    glm::dmat4 voxelFromWorld() const; ///< the domain's first voxel at the origin
+    glm::dmat3 worldFromVoxelTurn() const;
+
+    /// What surrounds all objects; blurred, the one region.
+    const Region& medium() const { return regions.back(); }
+    /// Whether some region has values that are not 0.
+    bool anyHas(RegionValues values) const;
+    /// Whether some region's values differ by wavelength.
+    bool anyColoured(std::initializer_list<RegionValues> values) const;
+    /// Whether something stops light: an object, or voxels of an opacity above ½.
+    bool anyOpaque() const;
+    /// Whether light is seen anywhere: where it is scattered, or falls on what is opaque.
+    bool showsLight() const;
+    /// How many regions have coefficients that vary, of sharp boundaries.
+    int varyingRegions() const;
+};
+
+/// What an engine wants of the files. Grids it does not want are not read.
+struct Wanted {
+    optics::Boundary boundary = optics::Boundary::automatic;
+    bool onlyIfLightShows = false; ///< where nothing shows light, stop at what tells so
+    bool emission = false;
+    bool surfaces = false; ///< albedo
+    bool light = false;
+};
+
+/// Reads a scene. A grid of coefficients comes from the first file that has it, the light is the sum
+/// of all. A region's grid varies only where that can be seen: of an object within it and three
+/// voxels round it. Throws DataError for more objects than are traced, for grids that vary in a way
+/// that is not, and where sharp boundaries are asked for and no file has any.
+Scene read(const Files& files, const Wanted& wanted);
+
+} // namespace eikonal::scene

@@ -1,0 +1,67 @@
+// A scene on the device, as shaders/transport reads it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/transport.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace eikonal::scene {
+
+namespace {
+
+using glm::vec4;
+#include "shared/bindings.h"
+#include "shared/transport_params.h"
+static_assert(sizeof(TransportParams) == 64);
+
+/// dτ of a step that is no longer than that [voxel] where the index is highest.
+double tauOf(const Scene& scene, double step) {
+    return step / static_cast<double>(scene.index.most);
+}
+
+} // namespace
+
+gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing) {
+    const bool bends = scene.index.varies();
+    return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
+            {"FIELD", fieldSwitch(bends, tracing.sampling())},
+            {"OBJECTS", static_cast<int>(scene.objects.size())},
+            {"VARIES", scene.sharp && scene.varyingRegions() > 0},
+            {"OPAQUE", scene.anyOpaque()}};
+}
+
+std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {
+    std::vector<gpu::Need> needs;
+    if (scene.index.varies()) needs.push_back(fieldNeed(scene.size(), tracing.sampling()));
+    if (scene.sharp)
+        for (const gpu::Need& need : boundaryNeeds(scene)) needs.push_back(need);
+    return needs;
+}
+
+Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Tracing& tracing,
+                     const StepLengths& steps)
+    : mSharp(scene.sharp) {
+    const bool fitted = steps.equal && tracing.integrator == optics::Integrator::verlet &&
+                        tracing.unbiased();
+    mField = scene.index.varies()
+                 ? Field(device, scene.index.grid,
+                         {tracing.sampling(), tracing.unbiased(),
+                          fitted ? tauOf(scene, steps.longest) : 0})
+                 : Field(device, scene.index.least);
+    if (scene.sharp) mBoundaries = Boundaries(device, scene);
+    TransportParams values{};
+    values.halfSize = vec4(0.5f * glm::vec3(scene.size()), 0);
+    values.scale = vec4(1.0f / glm::vec3(scene.size() + 2), 0);
+    values.steps = vec4(tauOf(scene, steps.longest), tauOf(scene, steps.shortest),
+                        tauOf(scene, steps.first), steps.longest);
+    values.tolerance = vec4(tracing.tolerance, glm::length(glm::dvec3(scene.size())), 0, 0);
+    mParams = gpu::Buffer(device, sizeof values, &values);
+}
+
+void Transport::bind() const {
+    mParams.bindUniform(kTransportBlock);
+    mField.bind();
+    if (mSharp) mBoundaries.bind();
+}
+
+} // namespace eikonal::scene

@@ -1,0 +1,45 @@
+// A scene on the device, as shaders/transport reads it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/program.h"
+#include "scene/boundaries.h"
+#include "scene/field.h"
+#include "scene/scene.h"
+
+namespace eikonal::scene {
+
+/// How long an engine's steps may be.
+struct StepLengths {
+    double longest = 1e6;  ///< [voxel]
+    double shortest = 1e-3; ///< adaptive: floats hold no position much better [voxel]
+    double first = 1e6;    ///< adaptive [voxel]
+    bool equal = false;    ///< Verlet's are all of the longest, so that the field is made for them
+};
+
+/// The switches INTEGRATOR, FIELD, OBJECTS, VARIES, OPAQUE of every kernel that traces.
+gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing);
+
+/// What a scene takes on the device.
+std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing);
+
+/// Index field, boundaries, and what the core is told. Coefficients of blurred media are the
+/// engines', who each read them in a form of their own.
+class Transport {
+public:
+    Transport() = default;
+    /// Throws MemoryError if the device can't hold it.
+    Transport(gpu::Device& device, const Scene& scene, const optics::Tracing& tracing,
+              const StepLengths& steps);
+
+    /// At the units and bindings of shaders/shared/bindings.h.
+    void bind() const;
+
+private:
+    Field mField;
+    Boundaries mBoundaries;
+    gpu::Buffer mParams;
+    bool mSharp = false;
+};
+
+} // namespace eikonal::scene

@@ -1,0 +1,34 @@
+// Where the eye is, and which way each pixel looks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace eikonal::view {
+
+struct Camera {
+    glm::dvec3 eye{0}, target{0}, up{0, 1, 0}; ///< world [unit]
+    bool parallel = false;
+    double fov = 0;          ///< vertical, perspective [degree]
+    double height = 0;       ///< of the view, parallel [unit]
+    int width = 0, rows = 0; ///< of the picture [pixel]
+
+    double aspect() const { return static_cast<double>(width) / rows; }
+    /// Throws UsageError naming the option that is wrong.
+    void check() const;
+};
+
+/// Orthonormal, world.
+struct CameraAxes {
+    glm::dvec3 forward, right, up;
+};
+CameraAxes axesOf(const Camera& camera);
+
+/// Right, up and forward as x, y, z, the eye at the origin [unit].
+glm::dmat4 cameraFromWorld(const Camera& camera);
+
+/// To coordinates in [0, 1] over the picture, y down, as OpenEXR's worldToNDC has them.
+glm::dmat4 ndcFromCamera(const Camera& camera);
+
+} // namespace eikonal::view

@@ -1,0 +1,185 @@
+// A picture in the making: colours, rays' paths and counters, strip by strip.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace eikonal::view {
+
+namespace {
+
+using glm::dvec3;
+
+/// Voxel space to the world, and the eye's own axis.
+struct Places {
+    glm::dmat4 worldFromVoxel;
+    glm::dmat3 turn;
+    double voxelSize;
+    dvec3 eye, forward;
+
+    Places(const Plan& plan, const Camera& camera)
+        : worldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
+          turn(plan.scene.worldFromVoxelTurn()), voxelSize(plan.scene.voxelSize()),
+          eye(camera.eye), forward(axesOf(camera).forward) {}
+
+    dvec3 placeOf(const PixelPath& path) const {
+        return dvec3(worldFromVoxel * glm::dvec4(dvec3(path.place), 1.0));
+    }
+};
+
+/// A picture that goes beside the colour: its channels, and a pixel's values.
+struct Aov {
+    const char* name;
+    const char* components; ///< "" for one channel of that name
+    dvec3 (*valueOf)(const PixelPath&, const Places&);
+};
+
+constexpr Aov kAovTable[] = {
+    {"exit_position", "XYZ",
+     [](const PixelPath& path, const Places& places) { return places.placeOf(path); }},
+    {"exit_direction", "XYZ",
+     [](const PixelPath& path, const Places& places) {
+         return glm::normalize(places.turn * dvec3(path.direction));
+     }},
+    {"transmittance", "RGB",
+     [](const PixelPath& path, const Places&) { return dvec3(path.through); }},
+    {"optical_path_length", "",
+     [](const PixelPath& path, const Places& places) {
+         return dvec3(static_cast<double>(path.place.w) * places.voxelSize);
+     }},
+    {"path_length", "",
+     [](const PixelPath& path, const Places& places) {
+         return dvec3(static_cast<double>(path.direction.w) * places.voxelSize);
+     }},
+    {"steps", "",
+     [](const PixelPath& path, const Places&) { return dvec3(path.through.w); }},
+    {"Z", "",
+     [](const PixelPath& path, const Places& places) {
+         return dvec3(glm::dot(places.placeOf(path) - places.eye, places.forward));
+     }},
+    {"error", "", [](const PixelPath& path, const Places&) { return dvec3(path.error.x); }},
+};
+
+std::vector<std::string> channelsOf(const std::string& name, const std::string& components) {
+    if (components.empty()) return {name};
+    std::vector<std::string> channels;
+    for (const char c : components) channels.push_back(name + "." + c);
+    return channels;
+}
+
+} // namespace
+
+const std::vector<std::string>& allAovs() {
+    static const std::vector<std::string> kNames = [] {
+        std::vector<std::string> names;
+        for (const Aov& aov : kAovTable) names.emplace_back(aov.name);
+        return names;
+    }();
+    return kNames;
+}
+
+int rowsPerStrip(const Params& params) {
+    const std::int64_t rows = (std::int64_t{1} << 20) / params.camera.width;
+    return static_cast<int>(std::clamp<std::int64_t>(rows, 1, params.camera.rows));
+}
+
+bool wantsPaths(const Plan& plan, const Params& params) {
+    return !params.aovs.empty() || (plan.dims && plan.colour);
+}
+
+std::vector<gpu::Need> pictureNeeds(const Plan& plan, const Params& params) {
+    const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
+    std::vector<gpu::Need> needs{{"the picture", strip * 16, true, 0}};
+    if (wantsPaths(plan, params))
+        needs.push_back(
+            {"the rays' paths", strip * static_cast<std::int64_t>(sizeof(PixelPath)), true, 0});
+    return needs;
+}
+
+Picture::Picture(gpu::Device& device, const Plan& plan, const Params& params)
+    : mCounters(device, kSlots * kCounters * 8), mWidth(params.camera.width) {
+    const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
+    const auto path = static_cast<std::int64_t>(sizeof(PixelPath));
+    const bool paths = wantsPaths(plan, params);
+    mColours = gpu::Buffer(device, strip * 16);
+    mPaths = gpu::Buffer(device, paths ? strip * path : path);
+    mCounters.clear();
+    const size_t pixels = static_cast<size_t>(params.camera.width) * params.camera.rows;
+    mPixels.resize(pixels);
+    if (paths) mPixelPaths.resize(pixels);
+}
+
+void Picture::bind() const {
+    mColours.bindStorage(kColoursBuffer);
+    mPaths.bindStorage(kPixelPathsBuffer);
+    mCounters.bindStorage(kCountersBuffer);
+}
+
+void Picture::readStrip(int row, int rows) {
+    const size_t first = static_cast<size_t>(row) * mWidth;
+    const std::int64_t pixels = std::int64_t{rows} * mWidth;
+    mColours.download(mPixels.data() + first, pixels * 16);
+    if (!mPixelPaths.empty())
+        mPaths.download(mPixelPaths.data() + first,
+                        pixels * static_cast<std::int64_t>(sizeof(PixelPath)));
+}
+
+void Picture::readCounters(const Plan& plan, const Params& params, Stats& stats) const {
+    std::array<std::uint64_t, kSlots * kCounters> slots{};
+    mCounters.download(slots.data(), sizeof slots);
+    const auto sum = [&](uint counter) {
+        double all = 0;
+        for (uint slot = 0; slot < kSlots; ++slot)
+            all += static_cast<double>(slots[slot * kCounters + counter]);
+        return all;
+    };
+    stats.count("rays", sum(kRays));
+    stats.count("steps", sum(kSteps));
+    stats.count("trapped", sum(kTrappedRays));
+    if (plan.scene.sharp) {
+        const double shares = static_cast<double>(kShareUnit) * std::max(sum(kRays), 1.0);
+        stats.count("boundaries_met", sum(kInterfaces));
+        stats.count("light_dropped_by_depth", sum(kDroppedByDepth) / shares);
+        stats.count("light_dropped_as_dim", sum(kDroppedAsDim) / shares);
+    }
+    if (plan.scene.index.varies() && params.integrator == Integrator::adaptive) {
+        float worst = 0;
+        for (uint slot = 0; slot < kSlots; ++slot)
+            worst = std::max(worst, std::bit_cast<float>(static_cast<std::uint32_t>(
+                                        slots[slot * kCounters + kWorstError])));
+        stats.raise("position_error_voxels", static_cast<double>(worst));
+        stats.count("over_tolerance", sum(kOverTolerance));
+    }
+}
+
+image::Image Picture::assemble(const Plan& plan, const Params& params) const {
+    image::Image picture(params.camera.width, params.camera.rows);
+    picture.addChannels({"R", "G", "B", "A"},
+                        {reinterpret_cast<const float*>(mPixels.data()), mPixels.size() * 4}, 4);
+    if (mPixelPaths.empty()) return picture;
+    const Places places(plan, params.camera);
+    const auto add = [&](const std::vector<std::string>& channels, const auto& valueOf) {
+        std::vector<float> samples;
+        samples.reserve(mPixelPaths.size() * channels.size());
+        for (const PixelPath& path : mPixelPaths) {
+            const dvec3 value = valueOf(path);
+            for (int c = 0; c < static_cast<int>(channels.size()); ++c)
+                samples.push_back(static_cast<float>(value[c]));
+        }
+        picture.addChannels(channels, samples, channels.size());
+    };
+    if (plan.dims && plan.colour)
+        add({"AR", "AG", "AB"}, [](const PixelPath& path) { return 1.0 - dvec3(path.through); });
+    for (const std::string& name : params.aovs)
+        for (const Aov& aov : kAovTable)
+            if (name == aov.name)
+                add(channelsOf(aov.name, aov.components),
+                    [&](const PixelPath& path) { return aov.valueOf(path, places); });
+    return picture;
+}
+
+} // namespace eikonal::view

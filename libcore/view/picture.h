@@ -1,0 +1,40 @@
+// A picture in the making: colours, rays' paths and counters, strip by strip.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/resources.h"
+#include "view/shared.h"
+#include "view/view.h"
+
+namespace eikonal::view {
+
+/// Rows traced by one launch: about a million pixels, so that the largest buffer stays at 64 MiB,
+/// half of what every device holds, and progress is shown now and then.
+int rowsPerStrip(const Params& params);
+
+/// Whether the kernel writes each ray's path, which AOVs and coloured opacities are made from.
+bool wantsPaths(const Plan& plan, const Params& params);
+
+/// What a strip takes on the device.
+std::vector<gpu::Need> pictureNeeds(const Plan& plan, const Params& params);
+
+class Picture {
+public:
+    Picture(gpu::Device& device, const Plan& plan, const Params& params);
+
+    void bind() const;
+    /// Fetches a strip from the device.
+    void readStrip(int row, int rows);
+    /// Adds what was counted to the statistics.
+    void readCounters(const Plan& plan, const Params& params, Stats& stats) const;
+    /// Colours, opacities by wavelength where the medium is coloured, and the AOVs asked for.
+    image::Image assemble(const Plan& plan, const Params& params) const;
+
+private:
+    gpu::Buffer mColours, mPaths, mCounters;
+    std::vector<vec4> mPixels;
+    std::vector<PixelPath> mPixelPaths;
+    int mWidth;
+};
+
+} // namespace eikonal::view

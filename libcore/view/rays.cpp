@@ -1,0 +1,218 @@
+// Viewing rays on the device: the kernel, the media and the light that it reads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/rays.h"
+
+#include "scene/padded.h"
+#include "view/background.h"
+#include "view/picture.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace eikonal::view {
+
+namespace {
+
+using glm::dvec3;
+using gpu::TexelFormat;
+using gpu::Texture;
+
+// 1/(4π) [1/sr]: fluence to isotropically scattered radiance.
+constexpr float kIsotropicPhase = 0.07957747154594767f;
+
+// What floats hold of a picture is three decimals: a thousandth of a ray's light is let go.
+constexpr float kLeastThroughput = 1e-3f;
+
+double stepOf(const Plan& plan, const Params& params) {
+    const bool samples = plan.gathers() || plan.opaque;
+    return params.step > 0 ? params.step : params.usualStep(samples);
+}
+
+scene::StepLengths stepsOf(const Plan& plan, const Params& params) {
+    const double step = stepOf(plan, params);
+    const bool adaptive = params.integrator == Integrator::adaptive;
+    return {step, 1e-3, adaptive ? std::min(1.0, step) : step, true};
+}
+
+gpu::Switches switchesOf(const Plan& plan, const Params& params) {
+    // Blurred, emission is part of the source unless there are lobes, which it has none of.
+    const bool sharp = plan.scene.sharp;
+    const bool glows = plan.scatters || (plan.emits && !sharp);
+    const auto depth = static_cast<unsigned>(std::max(params.maxDepth, 1));
+    gpu::Switches list = scene::transportSwitches(plan.scene, params);
+    list.emplace_back("CHANNELS", plan.colour ? 3 : plan.dims ? 1 : 0);
+    list.emplace_back("SOURCE", plan.lobes ? 2 : glows ? 1 : 0);
+    list.emplace_back("EMISSION", plan.emits && (sharp || plan.lobes));
+    list.emplace_back("MAP", plan.map);
+    list.emplace_back("AOVS", wantsPaths(plan, params));
+    list.emplace_back("WAITING", sharp ? static_cast<int>(std::bit_ceil(depth)) : 1);
+    return list;
+}
+
+template<typename Pack>
+Texture padded(gpu::Device& device, const Plan& plan, TexelFormat format, bool floorAtZero,
+               const Pack& pack) {
+    return scene::makePadded(device, plan.scene.size(), format, floorAtZero, pack);
+}
+
+/// Per voxel the three components of some values, times a factor.
+Texture paddedRgb(gpu::Device& device, const Plan& plan, const scene::Values& values,
+                  float factor) {
+    return padded(device, plan, TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+        for (int c = 0; c < 3; ++c) out[c] = values.at(i, c) * factor;
+    });
+}
+
+/// In voxel space, and g beside it.
+Texture makeDirection(gpu::Device& device, const Plan& plan) {
+    const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()));
+    const scene::Values& direction = plan.scene.light.direction;
+    return padded(device, plan, TexelFormat::rgba32f, false, [&](size_t i, float* out) {
+        const glm::vec3 d = voxelFromWorld *
+                            glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2));
+        out[0] = d.x;
+        out[1] = d.y;
+        out[2] = d.z;
+        out[3] = plan.scene.medium().anisotropy.at(i, 0);
+    });
+}
+
+/// Light without a stored direction falls on surfaces from all sides.
+Texture makeNoDirection(gpu::Device& device) {
+    Texture none(device, glm::ivec3(1), TexelFormat::rgba32f, gpu::Filter::linear);
+    none.clear();
+    return none;
+}
+
+/// Extinction and source of blurred media.
+void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
+    const scene::Region& medium = plan.scene.medium();
+    const auto h = static_cast<float>(plan.scene.voxelSize()); // 1/unit to 1/voxel
+    const bool glows = plan.scatters || plan.emits;
+    const auto sigma = [&](size_t i, int c) {
+        return (medium.absorption.at(i, c) + medium.scattering.at(i, c)) * h;
+    };
+    // Radiance gained per voxel of length; the phase function and emission come later with lobes.
+    const auto source = [&](size_t i, int c) {
+        const float scattered =
+            plan.scatters ? medium.scattering.at(i, c) * plan.scene.light.fluence.at(i, c) * h : 0;
+        if (plan.lobes) return scattered;
+        return scattered * kIsotropicPhase + medium.emission.at(i, c) * h;
+    };
+    const auto pack = [&](int components, TexelFormat format, const auto& values) {
+        return padded(device, plan, format, true, [&](size_t i, float* out) {
+            for (int c = 0; c < components; ++c) out[c] = values(i, c);
+        });
+    };
+    if (plan.colour) {
+        media.extinction = pack(3, TexelFormat::rgba32f, sigma);
+        if (glows) media.source = pack(3, TexelFormat::rgba32f, source);
+    } else if (glows) {
+        media.extinction = pack(2, TexelFormat::rg32f, [&](size_t i, int c) {
+            return c == 0 ? sigma(i, 0) : source(i, 0);
+        });
+    } else if (plan.dims) {
+        media.extinction = pack(1, TexelFormat::r32f, sigma);
+    }
+    if (plan.lobes && plan.emits) media.emission = paddedRgb(device, plan, medium.emission, h);
+    if (plan.opaque)
+        media.opacity = padded(device, plan, TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+            out[0] = medium.opacity.at(i, 0);
+            for (int c = 0; c < 3; ++c) out[1 + c] = medium.albedo.at(i, c);
+        });
+}
+
+} // namespace
+
+Media::Media(gpu::Device& device, const Plan& plan) {
+    if (!plan.scene.sharp) makeBlurred(device, plan, *this);
+    const bool reads = plan.scene.sharp || plan.opaque;
+    if (plan.lit() && reads) fluence = paddedRgb(device, plan, plan.scene.light.fluence, 1);
+    if ((plan.lobes || plan.opaque) && !plan.scene.light.direction.isZero())
+        direction = makeDirection(device, plan);
+    else if (plan.opaque)
+        direction = makeNoDirection(device);
+}
+
+void Media::bind() const {
+    const std::pair<const Texture*, unsigned> textures[] = {
+        {&extinction, kExtinctionUnit}, {&source, kSourceUnit},   {&direction, kDirectionUnit},
+        {&emission, kEmissionUnit},     {&opacity, kOpacityUnit}, {&fluence, kFluenceUnit}};
+    for (const auto& [texture, unit] : textures)
+        if (texture->name() != 0) texture->bindSampler(unit);
+}
+
+std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
+    const glm::ivec3 outer = plan.scene.size() + 2;
+    const std::int64_t texels = std::int64_t{outer.x} * outer.y * outer.z;
+    const int edge = std::max({outer.x, outer.y, outer.z});
+    const bool blurred = !plan.scene.sharp;
+    std::vector<gpu::Need> needs;
+    const auto texture = [&](const char* what, std::int64_t bytes) {
+        needs.push_back({what, texels * bytes, false, edge});
+    };
+    if (blurred && plan.gathers())
+        texture("the medium", plan.colour ? 16 : plan.scatters || plan.emits ? 8 : 4);
+    if (blurred && plan.colour && (plan.scatters || plan.emits))
+        texture("the scattered light", 16);
+    if (blurred && plan.lobes && plan.emits) texture("the emission", 16);
+    if (blurred && plan.opaque) texture("the opaque surfaces", 16);
+    if (plan.lit() && (!blurred || plan.opaque)) texture("the light", 16);
+    if ((plan.lobes || plan.opaque) && plan.lit()) texture("the light's direction", 16);
+    return needs;
+}
+
+Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
+           const std::optional<image::Image>& map)
+    : mProgram(device, "view/trace.comp.glsl", switchesOf(plan, params)),
+      mTransport(device, plan.scene, params, stepsOf(plan, params)), mMedia(device, plan),
+      mMap(makeMap(device, map)), mBlock(device, sizeof(ViewParams)), mWidth(params.camera.width) {
+    const scene::Scene& scene = plan.scene;
+    const Camera& camera = params.camera;
+    const double h = scene.voxelSize(), step = stepOf(plan, params);
+    const double usual = params.integrator == Integrator::adaptive
+                             ? std::min(step, 0.25) // what hard places take
+                             : step;
+    const glm::ivec3 size = scene.size();
+    const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / usual) + 1024;
+    mValues.limits = ivec4(params.maxSteps > 0 ? params.maxSteps : crossings, params.maxDepth, 0, 0);
+    const float outside = scene.index.background;
+    mValues.medium = vec4(outside, kLeastThroughput, plan.lit(), 1 / (outside * outside));
+    const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();
+    const glm::dmat3 turn(glm::dmat3(voxelFromWorld) * h);
+    const CameraAxes axes = axesOf(camera);
+    const double half =
+        camera.parallel ? 0.5 * camera.height / h : std::tan(glm::radians(0.5 * camera.fov));
+    const dvec3 eye(voxelFromWorld * glm::dvec4(camera.eye, 1.0));
+    const glm::vec3 eyeHigh(eye);
+    mValues.eyeHigh = vec4(eyeHigh, camera.parallel ? 0 : 1);
+    mValues.eyeLow = vec4(glm::vec3(eye - dvec3(eyeHigh)), 0);
+    mValues.forward = vec4(turn * axes.forward, 0);
+    mValues.right = vec4(half * camera.aspect() * (turn * axes.right), 0);
+    mValues.up = vec4(half * (turn * axes.up), 0);
+    tellBackground(mValues, scene, params, map);
+    mValues.picture = ivec4(camera.width, camera.rows, 0, 0);
+}
+
+void Rays::bind() const {
+    mTransport.bind();
+    mMedia.bind();
+    if (mMap.name() != 0) mMap.bindSampler(kEnvironmentUnit);
+    mBlock.bindUniform(kParamsBlock);
+}
+
+void Rays::trace(int row, int rows, const glm::dvec2& place, bool first, const vec4& weight) {
+    mValues.picture.z = row;
+    mValues.picture.w = rows;
+    mValues.pattern = vec4(place, first ? 1 : 0, 0);
+    mValues.weight = weight;
+    mBlock.upload(&mValues, sizeof mValues);
+    mProgram.dispatch({mWidth, rows, 1});
+    gpu::barrier();
+}
+
+} // namespace eikonal::view

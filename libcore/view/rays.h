@@ -1,0 +1,45 @@
+// Viewing rays on the device: the kernel, the media and the light that it reads.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/program.h"
+#include "scene/transport.h"
+#include "view/shared.h"
+#include "view/view.h"
+
+namespace eikonal::view {
+
+/// Coefficients and light as textures, in the form the plan's effects call for.
+struct Media {
+    gpu::Texture extinction, source, direction, emission, opacity, fluence;
+
+    Media(gpu::Device& device, const Plan& plan);
+    void bind() const;
+};
+
+/// What media and light take on the device.
+std::vector<gpu::Need> mediaNeeds(const Plan& plan);
+
+class Rays {
+public:
+    Rays(gpu::Device& device, const Plan& plan, const Params& params,
+         const std::optional<image::Image>& map);
+
+    /// Traces one ray of each pixel of a strip: `rows` rows from `row` on. `place` is where in its
+    /// pixel it goes, `weight` its share of the pixel's colour and, w, coverage. The first of a
+    /// pixel's rays replaces what is there.
+    void trace(int row, int rows, const glm::dvec2& place, bool first, const vec4& weight);
+    /// Binds all it reads but the picture's own buffers.
+    void bind() const;
+
+private:
+    gpu::Program mProgram;
+    scene::Transport mTransport;
+    Media mMedia;
+    gpu::Texture mMap;
+    gpu::Buffer mBlock;
+    ViewParams mValues{};
+    int mWidth;
+};
+
+} // namespace eikonal::view

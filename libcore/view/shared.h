@@ -1,0 +1,19 @@
+// The structs that the view kernel and C++ both read.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace eikonal::view {
+
+using glm::ivec4;
+using glm::uint;
+using glm::vec4;
+#include "shared/bindings.h"
+#include "shared/view_params.h"
+
+static_assert(sizeof(ViewParams) == 224);
+static_assert(sizeof(PixelPath) == 64);
+
+} // namespace eikonal::view
