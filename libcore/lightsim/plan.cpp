@@ -69,9 +69,9 @@ void listEffects(Plan& plan, const Params& params) {
     add({"fluence", plan.wants(Output::fluence), stored});
     std::string direction = stored;
     if (params.automaticOutputs && runs) {
-        const Effect opaque = named("opaque"), lobes = named("anisotropy");
+        const Effect opaque = named("opaque"), anisotropy = named("anisotropy");
         const std::string of = sharp ? (receives(plan.scene) ? "opaque: " : "anisotropy: ") : "";
-        direction = of + (receives(plan.scene) ? opaque.why : lobes.why);
+        direction = of + (receives(plan.scene) ? opaque.why : anisotropy.why);
         if (!sharp && !plan.wants(Output::direction)) direction = "scattering is isotropic";
     }
     add({"light_direction", plan.wants(Output::direction), direction});

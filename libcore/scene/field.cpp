@@ -77,8 +77,9 @@ Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOpt
         makeSpline(stepped);
         mTexture = makeCubic(device, stepped);
         const float least = *std::min_element(index.values.begin(), index.values.end());
-        values.cubic = vec4(own.squareAtZero, options.verletTau * options.verletTau / 12,
-                            least * least / 16, 0);
+        const double zero = own.squareAtZero, floor = static_cast<double>(least * least) / 16;
+        values.cubic = vec4(std::sqrt(zero), options.verletTau * options.verletTau / 12,
+                            floor - zero, 0);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
 }

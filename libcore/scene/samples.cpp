@@ -133,8 +133,10 @@ std::vector<glm::vec4> gradientSamples(const Potential& own, const Potential& st
     const std::ptrdiff_t strides[] = {1, outer.x, std::ptrdiff_t{outer.x} * outer.y};
     std::vector<glm::vec4> samples(static_cast<size_t>(padded.x) * padded.y * count);
     const float third = unbiased ? 0.25f : 0.0f, across = unbiased ? 1.0f / 12 : 0.0f;
-    const auto square = static_cast<float>(own.squareAtZero);
-    const auto indexOf = [=](float potential) { return std::sqrt(square + 2 * potential); };
+    const double square = own.squareAtZero; // in double, so that n comes back to its last digit
+    const auto indexOf = [=](float potential) {
+        return static_cast<float>(std::sqrt(square + 2 * static_cast<double>(potential)));
+    };
     forEachSlice(count, [&](int z) {
         for (int y = 0; y < padded.y; ++y) {
             const std::ptrdiff_t row = (first + z + kMargin - 1) * strides[2] +

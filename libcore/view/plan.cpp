@@ -23,16 +23,16 @@ void listEffects(Plan& plan, const Params& params) {
     add(named("refraction"));
     if (scene.sharp) add(named("curved_rays"));
     add(named("absorption"));
-    const Effect scattering = named("scattering"), lobes = named("anisotropy");
+    const Effect scattering = named("scattering"), anisotropy = named("anisotropy");
     const std::string dimmer = scene.sharp ? "it" : "grid 'scattering'";
     add({"scattering", plan.scatters,
          scattering.on && !plan.lit() ? dimmer + " only dims: no grid 'fluence', or 0 everywhere"
                                       : scattering.why});
-    add({"phase_function", plan.lobes,
+    add({"phase_function", plan.anisotropic,
          !plan.scatters                        ? "nothing is scattered"
-         : !lobes.on                           ? (scene.sharp ? "nothing has anisotropy" : lobes.why)
+         : !anisotropy.on                           ? (scene.sharp ? "nothing has anisotropy" : anisotropy.why)
          : scene.light.direction.isZero() ? "no grid 'light_direction', or 0 everywhere"
-                                               : lobes.why});
+                                               : anisotropy.why});
     add(named("emission"));
     add(named("opaque"));
     add({"colour", plan.colour,
@@ -63,7 +63,7 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     plan.emits = scene.anyHas(&Region::emission);
     plan.opaque = scene.anyOpaque();
     plan.scatters = scene.anyHas(&Region::scattering) && plan.lit();
-    plan.lobes = plan.scatters && scene.anyHas(&Region::anisotropy) &&
+    plan.anisotropic = plan.scatters && scene.anyHas(&Region::anisotropy) &&
                  !scene.light.direction.isZero();
     plan.colour =
         scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||

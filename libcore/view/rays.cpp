@@ -39,14 +39,14 @@ scene::StepLengths stepsOf(const Plan& plan, const Params& params) {
 }
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
-    // Blurred, emission is part of the source unless there are lobes, which it has none of.
+    // Blurred, emission is part of the source unless scattering prefers a direction, as it does not.
     const bool sharp = plan.scene.sharp;
     const bool glows = plan.scatters || (plan.emits && !sharp);
     const auto depth = static_cast<unsigned>(std::max(params.maxDepth, 1));
     gpu::Switches list = scene::transportSwitches(plan.scene, params);
     list.emplace_back("CHANNELS", plan.colour ? 3 : plan.dims ? 1 : 0);
-    list.emplace_back("SOURCE", plan.lobes ? 2 : glows ? 1 : 0);
-    list.emplace_back("EMISSION", plan.emits && (sharp || plan.lobes));
+    list.emplace_back("SOURCE", plan.anisotropic ? 2 : glows ? 1 : 0);
+    list.emplace_back("EMISSION", plan.emits && (sharp || plan.anisotropic));
     list.emplace_back("MAP", plan.map);
     list.emplace_back("AOVS", wantsPaths(plan, params));
     list.emplace_back("WAITING", sharp ? static_cast<int>(std::bit_ceil(depth)) : 1);
@@ -96,11 +96,11 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
     const auto sigma = [&](size_t i, int c) {
         return (medium.absorption.at(i, c) + medium.scattering.at(i, c)) * h;
     };
-    // Radiance gained per voxel of length; the phase function and emission come later with lobes.
+    // Radiance gained per voxel of length; the phase function and emission come later where scattering prefers a direction.
     const auto source = [&](size_t i, int c) {
         const float scattered =
             plan.scatters ? medium.scattering.at(i, c) * plan.scene.light.fluence.at(i, c) * h : 0;
-        if (plan.lobes) return scattered;
+        if (plan.anisotropic) return scattered;
         return scattered * kIsotropicPhase + medium.emission.at(i, c) * h;
     };
     const auto pack = [&](int components, TexelFormat format, const auto& values) {
@@ -118,7 +118,7 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
     } else if (plan.dims) {
         media.extinction = pack(1, TexelFormat::r32f, sigma);
     }
-    if (plan.lobes && plan.emits) media.emission = paddedRgb(device, plan, medium.emission, h);
+    if (plan.anisotropic && plan.emits) media.emission = paddedRgb(device, plan, medium.emission, h);
     if (plan.opaque)
         media.opacity = padded(device, plan, TexelFormat::rgba32f, true, [&](size_t i, float* out) {
             out[0] = medium.opacity.at(i, 0);
@@ -132,7 +132,7 @@ Media::Media(gpu::Device& device, const Plan& plan) {
     if (!plan.scene.sharp) makeBlurred(device, plan, *this);
     const bool reads = plan.scene.sharp || plan.opaque;
     if (plan.lit() && reads) fluence = paddedRgb(device, plan, plan.scene.light.fluence, 1);
-    if ((plan.lobes || plan.opaque) && !plan.scene.light.direction.isZero())
+    if ((plan.anisotropic || plan.opaque) && !plan.scene.light.direction.isZero())
         direction = makeDirection(device, plan);
     else if (plan.opaque)
         direction = makeNoDirection(device);
@@ -159,10 +159,10 @@ std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
         texture("the medium", plan.colour ? 16 : plan.scatters || plan.emits ? 8 : 4);
     if (blurred && plan.colour && (plan.scatters || plan.emits))
         texture("the scattered light", 16);
-    if (blurred && plan.lobes && plan.emits) texture("the emission", 16);
+    if (blurred && plan.anisotropic && plan.emits) texture("the emission", 16);
     if (blurred && plan.opaque) texture("the opaque surfaces", 16);
     if (plan.lit() && (!blurred || plan.opaque)) texture("the light", 16);
-    if ((plan.lobes || plan.opaque) && plan.lit()) texture("the light's direction", 16);
+    if ((plan.anisotropic || plan.opaque) && plan.lit()) texture("the light's direction", 16);
     return needs;
 }
 

@@ -23,7 +23,7 @@ struct Plan {
     bool dims = false;     ///< something absorbs or scatters
     bool colour = false;   ///< coefficients or light differ by wavelength
     bool scatters = false; ///< there is light, and something scatters it
-    bool lobes = false;    ///< scattering prefers a direction
+    bool anisotropic = false; ///< scattering prefers a direction
     bool emits = false;
     bool opaque = false;
     bool map = false; ///< an environment map surrounds the scene

@@ -4,6 +4,6 @@
 struct FieldParams {
     vec4 scale; // xyz: 1 / texels along each axis; w: the index, where it does not vary
     vec4 high;  // xyz: the last voxel along each axis, size − 1; w: 1 if samples are unbiased
-    vec4 cubic; // x: n² at potential 0, y: τ²/12 if potentials are corrected for Verlet steps of τ,
-                // z: least n²
+    vec4 cubic; // x: n at potential 0, y: τ²/12 if potentials are corrected for Verlet steps of τ,
+                // z: least n² − x²
 };

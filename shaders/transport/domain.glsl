@@ -45,8 +45,9 @@ float shareInside(Ray start, Ray end, float tau) {
 
 // A straight piece, forward or back, from close to a face onto it.
 vec3 ontoFace(Ray ray) {
-    vec3 times = (transport.halfSize.xyz - fromCentre(ray.x) * sign(ray.w)) /
-                 max(abs(ray.w), vec3(1.0e-20));
+    vec3 signs = signsOf(ray.w);
+    vec3 face = (1.0 + signs) * transport.halfSize.xyz - 0.5;
+    vec3 times = (face - ray.x) * signs / max(abs(ray.w), vec3(1.0e-20));
     float time = min(times.x, min(times.y, times.z));
     vec3 x = ray.x;
     if (abs(time) < 1.0e-2) x += time * ray.w;

@@ -24,9 +24,12 @@ vec4 fieldAt(vec3 x) {
     vec3 cell = floor(at);
     vec4 sum = splineAt(field, cell + 1.5, fieldParams.scale.xyz, at - cell);
     // The potential that steps of τ see is higher by τ²/24 |∇U|².
-    float square = fieldParams.cubic.x + 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz);
+    float more = 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz); // n² − n₀²
     // Overshoot beside a jump must not make the index vanish.
-    return vec4(sum.xyz, sqrt(max(square, fieldParams.cubic.z)));
+    more = max(more, fieldParams.cubic.z);
+    float n0 = fieldParams.cubic.x;
+    // As n₀ and a difference, which keeps the digits of a faint one.
+    return vec4(sum.xyz, n0 + more / (n0 + sqrt(n0 * n0 + more)));
 }
 #elif FIELD == 1
 vec4 fieldAt(vec3 x) {
@@ -45,13 +48,14 @@ vec4 fieldAt(vec3 x) {
 float indexAt(vec3 x) {
     vec3 cell = clamp(floor(x), vec3(-1.0), fieldParams.high.xyz);
     vec3 t = x - cell;
-    float n = 0.0;
+    float first = fieldAt(cell).w; // what the others differ from it is summed: all digits are kept
+    float n = first;
     vec3 curve = vec3(0.0); // ∂²n along each axis
     for (int i = 0; i < 8; ++i) {
         vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2);
         vec4 s = fieldAt(cell + corner);
         vec3 weight = mix(1.0 - t, t, corner);
-        n += weight.x * weight.y * weight.z * s.w;
+        n += weight.x * weight.y * weight.z * (s.w - first);
         // A difference along an axis, linear in the others.
         curve += (2.0 * corner - 1.0) * weight.yzx * weight.zxy * s.xyz / s.w;
     }

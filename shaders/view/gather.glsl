@@ -24,7 +24,7 @@ Medium blurredMediumAt(vec3 at, vec3 direction) {
     vec4 first = textureLod(extinctions, at, 0.0);
     Medium medium = Medium(kColour ? first.xyz : vec3(first.x), vec3(0.0));
     if (kGlows) medium.source = kColour ? textureLod(sources, at, 0.0).xyz : vec3(first.y);
-    if (kLobes) {
+    if (kAnisotropic) {
         vec4 light = textureLod(lightDirection, at, 0.0);
         medium.source *= phaseTowards(light.xyz, light.w, direction);
         if (kEmission) medium.source += textureLod(emission, at, 0.0).xyz;
@@ -38,7 +38,7 @@ Medium regionMediumAt(int region, vec3 x, vec3 direction) {
     Medium medium = Medium(here.absorption + here.scattering, kEmission ? here.emission : vec3(0.0));
     if (kGlows) {
         vec3 at = coordinate(x);
-        float phase = kLobes ? phaseTowards(textureLod(lightDirection, at, 0.0).xyz, here.g, direction)
+        float phase = kAnisotropic ? phaseTowards(textureLod(lightDirection, at, 0.0).xyz, here.g, direction)
                              : kIsotropicPhase;
         medium.source += here.scattering * textureLod(fluence, at, 0.0).xyz * phase;
     }

@@ -17,8 +17,8 @@
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
 const bool kColour = CHANNELS == 3;   // it does so, or glows, by wavelength
 const bool kGlows = SOURCE > 0;       // light is scattered towards the eye; if blurred, or emitted
-const bool kLobes = SOURCE == 2;      // scattering prefers a direction
-const bool kEmission = EMISSION == 1; // something emits; if blurred, beside lobes
+const bool kAnisotropic = SOURCE == 2; // scattering prefers a direction
+const bool kEmission = EMISSION == 1; // something emits; if blurred, beside anisotropic scattering
 const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
 const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
 
