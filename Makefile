@@ -62,9 +62,10 @@ effects: packages
 	mkdir -p $(OUT)
 	$(BUILD)/tests/effects --json $(OUT)/effects.json --page docs/effects.md --work $(OUT)/effects
 
-# docs/tools/*.md from --help.
+# docs/tools/*.md from --help, the tables of shaders/README.md from the shared headers.
 docs: all
 	@pipelines/tool_docs.sh $(BUILD)/bin docs/tools $(TOOLS)
+	@pipelines/shader_docs.sh shaders
 
 # The test suite's golden pictures anew; look at them before committing.
 golden: all

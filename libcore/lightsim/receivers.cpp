@@ -11,8 +11,8 @@
 namespace eikonal::lightsim {
 
 double unitFor(double photons) {
-    const double kRange = 3758096384.0; // 0xE0000000
-    return std::exp2(std::min(24.0, std::floor(std::log2(kRange / (std::sqrt(3.0) * photons)))));
+    const double range = kNearFull;
+    return std::exp2(std::min(24.0, std::floor(std::log2(range / (std::sqrt(3.0) * photons)))));
 }
 
 VoxelReceiver::VoxelReceiver(gpu::Device& device, const Plan& plan, const Params& params)

@@ -9,10 +9,12 @@ namespace eikonal::lightsim {
 
 using glm::ivec4;
 using glm::mat4;
+using glm::uint;
 using glm::uvec4;
 using glm::vec4;
 #include "shared/bindings.h"
 #include "shared/lightsim_params.h"
+#include "shared/limits.h"
 
 static_assert(sizeof(OctreeParams) == 80);
 static_assert(sizeof(EmissionParams) == 224);

@@ -17,13 +17,12 @@ namespace {
 
 using glm::ivec3;
 using glm::vec3;
+using glm::uint;
 using glm::vec4;
 #include "shared/bindings.h"
+#include "shared/limits.h"
 #include "shared/scene_params.h"
 static_assert(sizeof(SceneParams) == 80 + 12 * 32 + 13 * 96);
-
-// As in shaders/transport/level_set.glsl.
-constexpr float kNear = 3.5f; // [voxel]
 
 // From a voxel's centre to its corner [voxel].
 constexpr float kVoxel = 0.8661f;
@@ -254,7 +253,7 @@ BoundaryTable tabulate(const Scene& scene) {
                     const size_t i = placeOf(size, x, y, z);
                     nearest[i] = std::min(nearest[i], std::abs(d));
                     if (d < 0) table.objects[i] |= 1u << k;
-                    if (std::abs(d) < kNear) table.objects[i] |= 1u << (16 + k);
+                    if (std::abs(d) < kNearby) table.objects[i] |= 1u << (16 + k);
                 }
         });
     }

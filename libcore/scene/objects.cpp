@@ -18,6 +18,9 @@ using glm::vec3;
 
 namespace {
 
+using glm::uint;
+#include "shared/limits.h"
+
 // Voxels this near a boundary are sampled by rays on its far side's account [voxel].
 constexpr float kReach = 3;
 
@@ -175,7 +178,7 @@ Object readObject(const volume::Volume& volume, const std::string& sdf,
 void readObjects(Scene& scene, const volume::Volume& volume) {
     const volume::IndexBox& box = scene.domain;
     const std::vector<volume::ObjectFacts> facts = volume.objects();
-    if (facts.size() > kMostObjects)
+    if (facts.size() > static_cast<size_t>(kMostObjects))
         throw DataError(volume.path() + ": " + std::to_string(facts.size()) +
                         " objects with signed distances, expected at most " +
                         std::to_string(kMostObjects));

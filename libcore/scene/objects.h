@@ -6,14 +6,11 @@
 
 namespace eikonal::scene {
 
-/// Bits of a voxel's entry in the table that shaders/transport/level_set.glsl reads.
-constexpr size_t kMostObjects = 12;
-
 /// Distances are kept this far out [voxel].
 constexpr float kKept = 5;
 
 /// Reads a file's level sets and one-sided grids into the scene. Throws DataError for more than
-/// kMostObjects objects.
+/// twelve objects.
 void readObjects(Scene& scene, const volume::Volume& volume);
 
 /// Reads a grid over `box`: one value if it does not vary there, what the contract says of an

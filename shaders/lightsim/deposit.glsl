@@ -6,6 +6,7 @@
 // is to do. Within the loop there is no atomic add but a deposit's own: software devices serialise the
 // lanes of every one of them, taken or not.
 #include "lib/attenuation.glsl"
+#include "shared/limits.h"
 
 // Fixed-point sums per voxel, one buffer a plane: the channels of fluence, then, where DIRECTION is 1,
 // the net direction's x, y, z. Integer sums do not depend on the order of the adds. The host chooses
@@ -15,8 +16,6 @@
 // below those of fluence and need no watch.
 layout(std430, binding = kPlanesBuffer) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
 layout(binding = kOpaqueUnit) uniform usampler3D opaque; // per voxel, not 0 inside opaque material
-
-const uint kNearFull = 0xE0000000u;
 
 // What a photon carries beside its path.
 struct Load {

@@ -1,4 +1,5 @@
-// Where kernels find what they read and write. Read by C++ and GLSL.
+// Where kernels find what they read and write; shaders/README.md is made from this. Read by C++ and
+// GLSL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Uniform blocks.
@@ -26,9 +27,9 @@ const int kFluenceUnit = 6;     // [W/m²]
 const int kEnvironmentUnit = 7; // radiance
 
 // view: storage buffers.
-const int kColoursBuffer = 0;
-const int kPixelPathsBuffer = 1;
-const int kCountersBuffer = 2;
+const int kColoursBuffer = 0;    // premultiplied RGBA per pixel
+const int kPixelPathsBuffer = 1; // PixelPath per pixel
+const int kCountersBuffer = 2;   // see view_params.h
 
 // lightsim: textures.
 const int kPhotonMapUnit = 0;  // where the light first meets the domain or the proxy [voxel]
@@ -52,13 +53,13 @@ const int kIndexBuffer = 0;      // per voxel
 const int kPyramidBuffer = 1;    // of ranges
 const int kLevelsBuffer = 2;     // nodes x y z, first node of each level
 const int kExtinctionBuffer = 3; // per voxel [1/voxel]
-const int kLeavesImage = 0;
+const int kLeavesImage = 0;      // of every 2×2×2 voxels
 
 // Filters along an axis: storage buffers.
-const int kSourceBuffer = 0;
-const int kTargetBuffer = 1;
+const int kSourceBuffer = 0;  // floats per voxel
+const int kTargetBuffer = 1;  // floats per voxel
 const int kWeightsBuffer = 2; // smooth: by offset
 
 // voxelize: storage buffers.
-const int kFacetsBuffer = 0;
+const int kFacetsBuffer = 0;  // triangles
 const int kChangesBuffer = 1; // of the count of sub-samples, per voxel

@@ -22,6 +22,6 @@ struct SceneParams {
     vec4 page;  // xyz: 1 / texels of coefficients that vary
     vec4 low;   // xyz: low corner of the box that all boundaries are in [voxel]
     vec4 high;  // xyz: its high corner
-    ObjectParams objects[12];
-    RegionParams regions[13]; // of each object, then of what surrounds them
+    ObjectParams objects[kMostObjects];
+    RegionParams regions[kMostObjects + 1]; // of each object, then of what surrounds them
 };

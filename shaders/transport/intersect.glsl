@@ -88,7 +88,7 @@ Hit intersect(Segment segment, uint objects, float departs) {
             ++hit.looks;
             leaping = free > 2.0 * kRough;
             if (leaping) {
-                last = free < kFar ? free : -1.0;
+                last = free < kExactClearance ? free : -1.0;
                 s = trial;
                 known = 0u;
                 trial = min(s + freeBy(free), segment.extent);

@@ -1,6 +1,7 @@
 // Objects' boundaries: signed distances, and how far off the nearest one is.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/bindings.h"
+#include "shared/limits.h"
 #include "shared/scene_params.h"
 #include "transport/spline.glsl"
 
@@ -15,13 +16,12 @@ layout(binding = kDistancesUnit) uniform sampler3D distances; // spline coeffici
 // Per voxel, filtered: how far off any boundary is at least [voxel]; of one object alone with its sign.
 layout(binding = kClearanceUnit) uniform sampler3D clearance;
 // Of several objects, per voxel, 16 bits: those that hold its centre; 16 bits: those whose boundary is
-// within 3.5 voxels of it.
+// within kNearby of it.
 layout(binding = kNearbyUnit) uniform usampler3D nearby;
 
 // What a filtered clearance may be too large by [voxel]: a smooth one is interpolated well; of several
 // objects it has a crease at every boundary; far off it is a bound for its voxel's centre alone.
 const float kRough = kObjects == 1 ? 0.25 : 0.9;
-const float kFar = 4.0;        // where clearances begin to be bounds alone [voxel]
 const float kFarRough = 0.9;
 
 // Bits of the objects whose boundary is near.
@@ -36,7 +36,7 @@ float clearanceAt(vec3 x) {
 
 // How far is surely free of boundaries where the clearance from this side is that.
 float freeBy(float free) {
-    return free - (free < kFar ? kRough : kFarRough);
+    return free - (free < kExactClearance ? kRough : kFarRough);
 }
 
 vec4 distanceAt(int k, vec3 x) { // gradient [1], distance [voxel]
