@@ -28,7 +28,7 @@ struct Run {
     Emission emission;
     PhotonTracer tracer;
     EnergyMeter meter;
-    VoxelReceiver receiver;
+    Receivers receivers;
     Photons photons{};
     unsigned batches = 0; ///< begun so far
 
@@ -50,7 +50,7 @@ scene::StepLengths stepsOf(const Params& params) {
 std::uint32_t trace(Run& run, std::uint32_t emitted, double unit, const Progress& progress) {
     const auto few = static_cast<std::uint32_t>(run.params.thinTo * emitted);
     std::uint32_t count = emitted;
-    run.receiver.bindPlanes();
+    run.receivers.bind();
     while (count > few) {
         count = run.tracer.run(run.device, run.transport, run.photons, count, unit);
         report(progress, 1.0 - static_cast<double>(count) / emitted);
@@ -75,7 +75,7 @@ bool send(Run& run, const Light& light, const Batch& batch, double power, double
         run.stats.raise("position_error_voxels", after.error);
     if (left > 0) run.stats.count("photons_left_by_thinning", left);
     run.profiler.begin("resolve");
-    run.receiver.resolve(run.device, light.rgb, power, unit);
+    run.receivers.resolve(run.device, light.rgb, power, unit);
     run.profiler.end();
     return true;
 }
@@ -90,7 +90,7 @@ void sendBatch(Run& run, const Light& light, const Batch& batch, double power,
     for (double unit = unitFor(pixels); unit >= kLeast; unit /= 16) {
         if (send(run, light, batch, power, unit, progress)) return report(progress, 1.0);
         run.stats.count("batches_run_again", 1);
-        run.receiver.clearPlanes();
+        run.receivers.clear();
     }
     throw InternalError("photons overflow a voxel's sum");
 }
@@ -135,7 +135,7 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
             Emission(device, plan, params),
             PhotonTracer(device, plan, params),
             EnergyMeter(device),
-            VoxelReceiver(device, plan, params)};
+            Receivers(device, plan, params)};
     profiler.end();
     const std::vector<optics::Band> bands = optics::wholeLight();
     const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
@@ -148,15 +148,8 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
             sendLight(run, part, partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
             ++done;
         }
-    if (params.smoothing > 0) {
-        profiler.begin("smooth");
-        run.receiver.smooth(device, params.smoothing);
-        profiler.end();
-    }
-    profiler.begin("download");
-    Result result = run.receiver.download(plan);
-    profiler.end();
     profiler.collect();
+    Result result = run.receivers.finish(device, plan, params, stats);
     report(progress, 1.0);
     stats.gpuPeakBytes = std::max(stats.gpuPeakBytes, device.peakBytes());
     return result;

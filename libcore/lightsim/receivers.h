@@ -1,40 +1,28 @@
-// What receives the light: voxels, as fixed-point sums that become fluence and mean direction.
+// All that receives the light of a simulation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gpu/program.h"
-#include "gpu/resources.h"
-#include "lightsim/plan.h"
-#include "lightsim/result.h"
+#include "base/stats.h"
+#include "lightsim/voxels.h"
 
 namespace eikonal::lightsim {
 
-/// The largest fixed-point unit, a power of two, with which every photon of a batch may cross one
-/// voxel from corner to corner and still leave an eighth of the range free (kNearFull in
-/// shaders/lightsim/deposit.glsl). Not above 2^24, the digits of a float: a deposit then fits an
-/// int, too.
-double unitFor(double photons);
-
-class VoxelReceiver {
+class Receivers {
 public:
-    VoxelReceiver(gpu::Device& device, const Plan& plan, const Params& params);
+    Receivers(gpu::Device& device, const Plan& plan, const Params& params);
 
-    size_t planes() const { return mPlanes.size(); }
-    void bindPlanes() const;
-    void clearPlanes();
-    /// Adds what the planes hold to the totals, and clears them. `rgb` is the light's, a photon of
-    /// weight 1 has `power` of it [m² or sr], `unit` stands for a voxel's length at weight 1.
+    /// Before photons are traced.
+    void bind() const;
+    /// Forgets what the last batch left.
+    void clear();
+    /// Takes up what a batch left. `rgb` is the light's, a photon of weight 1 has `power` of it [m²
+    /// or sr], `unit` of fixed point stands for a voxel's length at weight 1.
     void resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
-    /// Rounds of 3×3×3 smoothing, after which nothing more is received.
-    void smooth(gpu::Device& device, int rounds);
-    Result download(const Plan& plan) const;
+    /// After the last batch.
+    Result finish(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats);
 
 private:
-    gpu::Program mResolve, mSmooth;
-    gpu::Buffer mBlock;
-    std::vector<gpu::Buffer> mPlanes, mTotals; ///< totals: channels of fluence, then of direction
-    glm::ivec3 mSize;
-    double mVoxelSize;
+    VoxelReceiver mVoxels;
 };
 
 } // namespace eikonal::lightsim

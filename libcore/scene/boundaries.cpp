@@ -3,6 +3,7 @@
 #include "scene/boundaries.h"
 
 #include "scene/padded.h"
+#include "scene/shared.h"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +18,6 @@ namespace {
 
 using glm::ivec3;
 using glm::vec3;
-using glm::uint;
-using glm::vec4;
-#include "shared/bindings.h"
-#include "shared/limits.h"
-#include "shared/scene_params.h"
-static_assert(sizeof(SceneParams) == 80 + 12 * 32 + 13 * 96);
 
 // From a voxel's centre to its corner [voxel].
 constexpr float kVoxel = 0.8661f;
@@ -293,14 +288,9 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
     values.page = vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.varyingRegions(), 1)), 0);
     for (size_t r = 0; r < scene.regions.size(); ++r) {
         const Region& region = scene.regions[r];
-        RegionParams& out = values.regions[r];
-        out.index = vec4(region.index.value.x, region.index.varies(), region.opaque, 0);
-        out.absorption =
-            vec4(region.absorption.value * h, region.coefficientsVary() ? page.z * pages++ : -1);
-        out.scattering = vec4(region.scattering.value * h, region.anisotropy.value.x);
-        out.emission = vec4(region.emission.value * h, 0);
-        out.albedo = vec4(region.albedo.value, 0);
-        out.reflectance = vec4(region.reflectance.value, 0);
+        const bool varies = region.coefficientsVary();
+        values.regions[r] =
+            paramsOf(region, h, varies ? static_cast<float>(page.z * pages++) : -1);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
     if (pages > 0) makeCoefficients(device, scene, h);

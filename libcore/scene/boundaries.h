@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gpu/resources.h"
-#include "scene/objects.h"
+#include "scene/scene.h"
 
 namespace eikonal::scene {
 

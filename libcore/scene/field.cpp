@@ -3,6 +3,7 @@
 #include "scene/field.h"
 
 #include "scene/samples.h"
+#include "scene/shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,6 @@ namespace {
 
 using glm::ivec3;
 using glm::vec3;
-using glm::vec4;
-#include "shared/bindings.h"
-#include "shared/field_params.h"
-static_assert(sizeof(FieldParams) == 48);
 
 size_t placeOf(const Potential& potential, int x, int y, int z) {
     const ivec3 outer = potential.outer();

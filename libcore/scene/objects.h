@@ -1,21 +1,27 @@
-// The objects of a scene with sharp boundaries: what bounds them, what is in them.
+// What bounds the objects of a scene with sharp boundaries.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/scene.h"
+#include "volume/volume.h"
+
+#include <string>
+#include <vector>
 
 namespace eikonal::scene {
 
 /// Distances are kept this far out [voxel].
 constexpr float kKept = 5;
 
-/// Reads a file's level sets and one-sided grids into the scene. Throws DataError for more than
-/// twelve objects.
-void readObjects(Scene& scene, const volume::Volume& volume);
+/// One object's boundary over the part of the domain where it is near or inside.
+struct Object {
+    volume::IndexBox box;        ///< from the domain's first voxel on
+    std::vector<float> distance; ///< signed, negative inside, x fastest [voxel]
+    float band = 0;              ///< no distance is known beyond [voxel]
+    float slope = 1;             ///< how it grows a voxel on, in the mean near the boundary
+};
 
-/// Reads a grid over `box`: one value if it does not vary there, what the contract says of an
-/// absent grid if it is not there.
-Values readValues(const volume::Volume& volume, const std::string& grid,
+/// Reads the level set of that name over `box`.
+Object readObject(const volume::Volume& volume, const std::string& sdf,
                   const volume::IndexBox& box);
 
 } // namespace eikonal::scene

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "scene/index.h"
-#include "scene/objects.h"
+#include "scene/shared.h"
 
 #include <algorithm>
 #include <glm/matrix.hpp>
@@ -66,6 +66,21 @@ Values readDirection(const Files& files) {
     return mean;
 }
 
+void readObjects(Scene& scene, const volume::Volume& volume) {
+    const std::vector<volume::ObjectFacts> facts = volume.objects();
+    if (facts.size() > static_cast<size_t>(kMostObjects))
+        throw DataError(volume.path() + ": " + std::to_string(facts.size()) +
+                        " objects with signed distances, expected at most " +
+                        std::to_string(kMostObjects));
+    for (const volume::ObjectFacts& object : facts) {
+        const bool own = !object.name.empty() && volume.has(volume::ownGrid("ior", object.name));
+        scene.objects.push_back(readObject(volume, object.sdf, scene.domain));
+        scene.regions.push_back(
+            readRegion(volume, object.name, scene.domain, &scene.objects.back(), own));
+    }
+    scene.regions.push_back(readRegion(volume, volume::kMedium, scene.domain, nullptr, true));
+}
+
 void requireOne(const Scene& scene, const char* grid, RegionValues values) {
     for (const Region& region : scene.regions)
         if ((region.*values).varies())
@@ -75,31 +90,6 @@ void requireOne(const Scene& scene, const char* grid, RegionValues values) {
 }
 
 } // namespace
-
-bool Values::grey() const {
-    if (!varies()) return value.x == value.y && value.y == value.z;
-    for (size_t i = 0; grid.components == 3 && i < grid.values.size(); i += 3)
-        if (grid.values[i] != grid.values[i + 1] || grid.values[i] != grid.values[i + 2])
-            return false;
-    return true;
-}
-
-float Values::at(size_t voxel, int component) const {
-    if (!varies()) return value[component];
-    return grid.components == 1 ? grid.values[voxel]
-                                : grid.values[3 * voxel + static_cast<size_t>(component)];
-}
-
-float Values::most(int component) const {
-    if (!varies()) return value[component];
-    float most = at(0, component);
-    for (size_t i = 0; i < grid.voxels(); ++i) most = std::max(most, at(i, component));
-    return most;
-}
-
-bool Region::coefficientsVary() const {
-    return absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
-}
 
 glm::dmat4 Scene::voxelFromWorld() const {
     glm::dmat4 voxelFromWorld = frame.indexFromWorld();

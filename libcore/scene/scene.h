@@ -4,6 +4,8 @@
 
 #include "optics/tracing.h"
 #include "scene/files.h"
+#include "scene/objects.h"
+#include "scene/regions.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,42 +13,6 @@
 #include <vector>
 
 namespace eikonal::scene {
-
-/// A grid's values in a region: one for all of it, or one per voxel of the domain.
-struct Values {
-    glm::vec3 value{0};     ///< a scalar stands in all three components
-    volume::DenseGrid grid; ///< empty if it does not vary
-
-    bool varies() const { return !grid.values.empty(); }
-    bool isZero() const { return !varies() && value == glm::vec3(0); }
-    /// Whether R = G = B everywhere.
-    bool grey() const;
-    float at(size_t voxel, int component) const;
-    /// The largest value of a component.
-    float most(int component) const;
-};
-
-/// An object, or what surrounds them all. Values are the grids' [1/unit, not voxel].
-struct Region {
-    std::string name;
-    Values index; ///< of sharp boundaries
-    Values absorption, scattering, anisotropy, emission, albedo, reflectance, opacity;
-    bool opaque = false; ///< of sharp boundaries: all of it
-
-    /// Whether what it does to light on its way differs from place to place.
-    bool coefficientsVary() const;
-};
-
-/// A grid's values in a region, whichever that is.
-using RegionValues = Values Region::*;
-
-/// One object's boundary over the part of the domain where it is near or inside.
-struct Object {
-    volume::IndexBox box;        ///< from the domain's first voxel on
-    std::vector<float> distance; ///< signed, negative inside, x fastest [voxel]
-    float band = 0;              ///< no distance is known beyond [voxel]
-    float slope = 1;             ///< how it grows a voxel on, in the mean near the boundary
-};
 
 /// The refractive index where it varies; of several regions each voxel has that of the varying one
 /// which is nearest, so that look-ups within one find its own values alone.

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/transport.h"
 
+#include "scene/shared.h"
+
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 namespace eikonal::scene {
 
 namespace {
-
-using glm::vec4;
-#include "shared/bindings.h"
-#include "shared/transport_params.h"
-static_assert(sizeof(TransportParams) == 64);
 
 /// dτ of a step that is no longer than that [voxel] where the index is highest.
 double tauOf(const Scene& scene, double step) {

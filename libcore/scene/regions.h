@@ -1,0 +1,55 @@
+// What a point of a scene is made of: an object's medium, or what surrounds them all.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/objects.h"
+
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace eikonal::scene {
+
+/// A grid's values in a region: one for all of it, or one per voxel of the domain.
+struct Values {
+    glm::vec3 value{0};     ///< a scalar stands in all three components
+    volume::DenseGrid grid; ///< empty if it does not vary
+
+    bool varies() const { return !grid.values.empty(); }
+    bool isZero() const { return !varies() && value == glm::vec3(0); }
+    /// Whether R = G = B everywhere.
+    bool grey() const;
+    float at(size_t voxel, int component) const;
+    /// The largest value of a component.
+    float most(int component) const;
+};
+
+/// An object, or what surrounds them all. Values are the grids' [1/unit, not voxel].
+struct Region {
+    std::string name;
+    Values index; ///< of sharp boundaries
+    Values absorption, scattering, anisotropy, emission, albedo, reflectance, opacity;
+    bool opaque = false; ///< of sharp boundaries: all of it
+
+    /// Whether what it does to light on its way differs from place to place.
+    bool coefficientsVary() const;
+};
+
+/// A grid's values in a region, whichever that is.
+using RegionValues = Values Region::*;
+
+/// Reads a grid over `box`: one value if it does not vary there, what the contract says of an
+/// absent grid if it is not there.
+Values readValues(const volume::Volume& volume, const std::string& grid,
+                  const volume::IndexBox& box);
+
+/// Reads the region of an object, or of what surrounds them all where `object` is null. Grids vary
+/// only where that can be seen: within the object and three voxels round it. `own`: its values are
+/// grids of its own, else the plain ones.
+Region readRegion(const volume::Volume& volume, const std::string& name,
+                  const volume::IndexBox& box, const Object* object, bool own);
+
+/// As the device reads it, lengths in voxels; `page` is where its coefficients that vary begin, −1
+/// if none does.
+struct RegionParams paramsOf(const Region& region, float voxelSize, float page);
+
+} // namespace eikonal::scene

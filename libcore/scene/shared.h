@@ -1,0 +1,21 @@
+// The structs that the transport core's shaders and C++ both read.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/vec4.hpp>
+
+namespace eikonal::scene {
+
+using glm::uint;
+using glm::vec4;
+#include "shared/bindings.h"
+#include "shared/field_params.h"
+#include "shared/limits.h"
+#include "shared/scene_params.h"
+#include "shared/transport_params.h"
+
+static_assert(sizeof(FieldParams) == 48);
+static_assert(sizeof(SceneParams) == 80 + 12 * 32 + 13 * 96);
+static_assert(sizeof(TransportParams) == 64);
+
+} // namespace eikonal::scene
