@@ -172,7 +172,9 @@ void Simulation::compile() {
     mResolve = Program(
         mDevice, "lightsim/resolve.comp.glsl",
         {{"CHANNELS", channels}, {"FLUENCE", mPlan.fluenceChannels()}, {"DIRECTION", direction}});
-    if (mParams.smoothing > 0) mSmooth = Program(mDevice, "lightsim/smooth.comp.glsl", {});
+    if (mParams.smoothing > 0)
+        mSmooth = Program(mDevice, "lightsim/smooth.comp.glsl",
+                          {{"FLUENCE", mPlan.fluenceChannels()}, {"DIRECTION", direction}});
     mProfiler.end();
 }
 
@@ -468,21 +470,23 @@ void Simulation::resolve(const Light& light, double power) {
 void Simulation::smooth() {
     if (mParams.smoothing == 0) return;
     mProfiler.begin("smooth");
-    mPlanes.clear(); // traced to the end: their memory serves the scratch buffer
-    Buffer scratch(mDevice, mPlan.voxels() * 4);
+    mPlanes.clear(); // traced to the end: their memory serves the other buffers
+    std::vector<Buffer> others;
+    for (const Buffer& result : mResults) others.emplace_back(mDevice, result.bytes());
     ResolveParams values{};
     values.size = mTracing.size;
-    for (Buffer& result : mResults)
-        for (int pass = 0; pass < 3 * mParams.smoothing; ++pass) {
-            values.planes.z = pass % 3;
-            mResolveBlock.upload(&values, sizeof values);
-            mResolveBlock.bindUniform(0);
-            result.bindStorage(0);
-            scratch.bindStorage(1);
-            mSmooth.dispatch(mPlan.size);
-            gpu::barrier();
-            std::swap(result, scratch);
+    for (int pass = 0; pass < 3 * mParams.smoothing; ++pass) {
+        values.planes.z = pass % 3;
+        mResolveBlock.upload(&values, sizeof values);
+        mResolveBlock.bindUniform(0);
+        for (size_t i = 0; i < mResults.size(); ++i) {
+            mResults[i].bindStorage(static_cast<unsigned>(i));
+            others[i].bindStorage(6 + static_cast<unsigned>(i));
         }
+        mSmooth.dispatch(mPlan.size);
+        gpu::barrier();
+        std::swap(mResults, others);
+    }
     mDevice.check("smooth");
     mProfiler.end();
 }

@@ -136,8 +136,10 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
                              std::to_string(plan.size.y) + " x " + std::to_string(plan.size.z) +
                              " voxels)",
                          voxels * 4, true, 0});
-    const int floats = plan.fluenceChannels() + (plan.wants(Output::direction) ? 3 : 0) + 1;
-    needs.push_back({"the summed light", voxels * 4 * floats, false, 0});
+    // Twice while it is smoothed, when the planes are gone.
+    const int floats = plan.fluenceChannels() + (plan.wants(Output::direction) ? 3 : 0);
+    const int more = params.smoothing > 0 ? std::max(floats - plan.planes(), 0) : 0;
+    needs.push_back({"the summed light", voxels * 4 * (floats + more), false, 0});
     if (plan.bends) needs.push_back(medium::fieldNeed(plan.size, params.tracing.sampling()));
     if (plan.sharp)
         for (const gpu::Need& need : medium::surfaceNeeds(plan.objects)) needs.push_back(need);
