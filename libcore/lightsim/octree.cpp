@@ -76,7 +76,7 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
 
     OctreeParams values{};
     values.size = ivec4(plan.scene.size(), top);
-    values.limits = vec4(params.tolerance, params.secondTolerance, params.stepLimit, 0);
+    values.limits = vec4(params.octreeTolerance, params.octreeTolerance2, params.stepLimit, 0);
     const gpu::Program pass(device, "lightsim/pyramid.comp.glsl",
                             {{"INDEX", plan.bends}, {"EXTINCTION", !extinction.empty()}});
     gpu::Buffer block(device, sizeof values);

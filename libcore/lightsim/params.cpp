@@ -33,10 +33,10 @@ std::int64_t photonCount(double number) {
 void Params::check() const {
     if (lights.empty()) throw UsageError("--light: none given, expected at least one");
     photonCount(static_cast<double>(photons));
-    tracing.check("--trace-tolerance");
-    require(tolerance >= 0, "--tolerance", tolerance, "0 or more");
-    require(secondTolerance >= tolerance, "--tolerance2", secondTolerance,
-            "at least --tolerance (" + toText(tolerance) + ")");
+    tracing.check("--tolerance");
+    require(octreeTolerance >= 0, "--octree-tolerance", octreeTolerance, "0 or more");
+    require(octreeTolerance2 >= octreeTolerance, "--octree-tolerance2", octreeTolerance2,
+            "at least --octree-tolerance (" + toText(octreeTolerance) + ")");
     require(stepLimit > 0, "--step-limit", stepLimit, "above 0");
     require(stepMin >= 0.01 && stepMin <= 1e4, "--step-min", stepMin, "0.01 to 10000");
     require(maxSteps >= 1 && maxSteps <= 1 << 16, "--max-steps", maxSteps, "1 to 65536");

@@ -32,8 +32,8 @@ struct Params {
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
     std::vector<Light> lights;
     std::int64_t photons = 1 << 20; ///< pixels of each light's photon map
-    double tolerance = 0.005;       ///< ε: index range within which a leaf counts as constant [1]
-    double secondTolerance = 0.02;  ///< ε': range within which a leaf limits the step [1]
+    double octreeTolerance = 0.005; ///< ε: index range within which a leaf counts as constant [1]
+    double octreeTolerance2 = 0.02; ///< ε': range within which a leaf limits the step [1]
     double stepLimit = 8;           ///< longest step in such a leaf [voxel]
     double stepMin = 1;             ///< shortest step [voxel]
     int maxDepth = 32;              ///< sharp: most boundaries that a photon meets

@@ -124,8 +124,10 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
         needs.push_back({"a plane of light (" + std::to_string(size.x) + " x " +
                              std::to_string(size.y) + " x " + std::to_string(size.z) + " voxels)",
                          voxels * 4, true, 0});
-    const int floats = plan.fluenceChannels() + plan.directionChannels() + 1;
-    needs.push_back({"the summed light", voxels * 4 * floats, false, 0});
+    // Twice while it is smoothed, when the planes are gone.
+    const int floats = plan.fluenceChannels() + plan.directionChannels();
+    const int more = params.smoothing > 0 ? std::max(floats - plan.planes(), 0) : 0;
+    needs.push_back({"the summed light", voxels * 4 * (floats + more), false, 0});
     if (plan.bends || (plan.attenuates && !plan.scene.sharp))
         needs.push_back(
             {"the octree", voxels / 8 * (4 + 3 * 16) + voxels * 8, false, (edge + 1) / 2});

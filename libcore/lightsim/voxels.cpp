@@ -22,7 +22,10 @@ VoxelReceiver::VoxelReceiver(gpu::Device& device, const Plan& plan, const Params
                 {"DIRECTION", plan.wants(Output::direction)}}),
       mBlock(device, sizeof(ResolveParams)), mSize(plan.scene.size()),
       mVoxelSize(plan.scene.voxelSize()) {
-    if (params.smoothing > 0) mSmooth = gpu::Program(device, "lightsim/smooth.comp.glsl", {});
+    if (params.smoothing > 0)
+        mSmooth = gpu::Program(device, "lightsim/smooth.comp.glsl",
+                               {{"FLUENCE", plan.fluenceChannels()},
+                                {"DIRECTION", plan.wants(Output::direction)}});
     const std::int64_t bytes = plan.voxels() * 4;
     const int totals = plan.fluenceChannels() + plan.directionChannels();
     for (int i = 0; i < plan.planes(); ++i) mPlanes.emplace_back(device, bytes);
@@ -64,21 +67,23 @@ void VoxelReceiver::resolve(gpu::Device& device, const glm::dvec3& rgb, double p
 }
 
 void VoxelReceiver::smooth(gpu::Device& device, int rounds) {
-    mPlanes.clear(); // their memory serves the scratch buffer
-    gpu::Buffer scratch(device, mTotals.front().bytes());
+    mPlanes.clear(); // their memory serves the other buffers
+    std::vector<gpu::Buffer> others;
+    for (const gpu::Buffer& total : mTotals) others.emplace_back(device, total.bytes());
     ResolveParams values{};
     values.size = ivec4(mSize, 0);
-    for (gpu::Buffer& total : mTotals)
-        for (int pass = 0; pass < 3 * rounds; ++pass) {
-            values.planes.z = pass % 3;
-            mBlock.upload(&values, sizeof values);
-            mBlock.bindUniform(kParamsBlock);
-            total.bindStorage(kSourceBuffer);
-            scratch.bindStorage(kTargetBuffer);
-            mSmooth.dispatch(mSize);
-            gpu::barrier();
-            std::swap(total, scratch);
+    for (int pass = 0; pass < 3 * rounds; ++pass) {
+        values.planes.z = pass % 3;
+        mBlock.upload(&values, sizeof values);
+        mBlock.bindUniform(kParamsBlock);
+        for (size_t i = 0; i < mTotals.size(); ++i) {
+            mTotals[i].bindStorage(kSourcesBuffer + static_cast<unsigned>(i));
+            others[i].bindStorage(kTotalsBuffer + static_cast<unsigned>(i));
         }
+        mSmooth.dispatch(mSize);
+        gpu::barrier();
+        std::swap(mTotals, others);
+    }
     device.check("smooth");
 }
 

@@ -102,16 +102,17 @@ void Params::check() const {
     checkMaterial(medium, {"--medium-", ""});
     require(supersample == 1 || supersample == 2 || supersample == 4 || supersample == 8,
             "--supersample", std::to_string(supersample), "1, 2, 4 or 8");
-    require(padding >= 0 && padding < kLongestEdge / 2, "--padding", std::to_string(padding),
-            "0 to " + std::to_string(kLongestEdge / 2 - 1));
+    if (padding)
+        require(*padding >= 0 && *padding < kLongestEdge / 2, "--padding", std::to_string(*padding),
+                "0 to " + std::to_string(kLongestEdge / 2 - 1));
     require(resolution >= 1 && resolution <= kLongestEdge, "--resolution",
             std::to_string(resolution), "1 to " + std::to_string(kLongestEdge));
     if (voxelSize)
         require(*voxelSize >= kSmallestVoxel && *voxelSize <= kLargestVoxel, "--voxel-size",
                 toText(*voxelSize), toText(kSmallestVoxel) + " to " + toText(kLargestVoxel));
-    else if (!bounds)
-        require(resolution > 2 * padding, "--resolution", std::to_string(resolution),
-                "more than twice the --padding of " + std::to_string(padding));
+    else if (padding && !bounds)
+        require(resolution > 2 * *padding, "--resolution", std::to_string(resolution),
+                "more than twice the --padding of " + std::to_string(*padding));
     if (bounds) checkBounds(*bounds);
     // A cubic spline of distances looks two voxels far, from places up to two off the boundary.
     require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");

@@ -37,7 +37,8 @@ struct Params {
     Material medium;                 ///< what surrounds the objects
     int resolution = 128;            ///< along the domain's longest edge, padding included [voxel]
     std::optional<double> voxelSize; ///< instead of `resolution` [unit]
-    int padding = 8;                 ///< around the objects, on all sides [voxel]
+    std::optional<int> padding;      ///< around the objects, on all sides; none: kUsualPadding, but
+                                     ///< a quarter of `resolution` at most [voxel]
     bool cube = false;               ///< as long along every axis as along the longest
     std::optional<mesh::Box> bounds; ///< the domain, instead of objects and padding [unit]
     int supersample = 4;             ///< samples along a voxel's edge: 1, 2, 4 or 8
@@ -51,6 +52,9 @@ struct Params {
 /// Whether an object may be called so: names become parts of grids' names, which --grids lists by
 /// commas and OpenVDB numbers by [0]. Dots are fine, since a grid's own name has none.
 bool isObjectName(const std::string& name);
+
+// Room for what blurs an object's boundary or bends light beside it. [voxel]
+constexpr int kUsualPadding = 8;
 
 // One texel either side is left of the 2048 that every OpenGL 4.5 device has along a 3-D texture.
 constexpr int kLongestEdge = 2046;

@@ -34,11 +34,32 @@ int voxelsAlong(double edge, double voxelSize) {
     return static_cast<int>(std::clamp(std::ceil(edge / voxelSize - kRounding), 1.0, 1e9));
 }
 
+double longestEdge(const mesh::Box& box) {
+    const glm::dvec3 edges = box.max - box.min;
+    return std::max({edges.x, edges.y, edges.z});
+}
+
+/// Voxels on each side of the objects in a domain of `resolution` along its longest edge. What was
+/// not asked for leaves them half of it.
+int paddingWithin(const Params& params, int resolution) {
+    if (params.bounds) return 0;
+    return params.padding.value_or(std::min(kUsualPadding, resolution / 4));
+}
+
+/// The same where the voxels' size is given: they are no fewer for more padding, so that only the
+/// longest edge that can be limits it.
+int paddingAround(const Params& params, int objects) {
+    if (params.bounds) return 0;
+    return params.padding.value_or(std::clamp((kLongestEdge - objects) / 2, 0, kUsualPadding));
+}
+
 Lattice latticeOf(const Params& params) {
     const mesh::Box box = boxOf(params);
     const glm::dvec3 edges = box.max - box.min;
-    const double longest = std::max({edges.x, edges.y, edges.z});
-    const int padding = params.bounds ? 0 : params.padding;
+    const double longest = longestEdge(box);
+    const int padding = params.voxelSize
+                            ? paddingAround(params, voxelsAlong(longest, *params.voxelSize))
+                            : paddingWithin(params, params.resolution);
     Lattice lattice;
     lattice.supersample = params.supersample;
     lattice.voxelSize =
@@ -83,14 +104,14 @@ std::string remedyFor(const Params& params, double thickness) {
     const double exact = thickness / kThinnestWall * (1 + 1e-6);
     const double digit = std::pow(10, std::floor(std::log10(exact)) - 3);
     const double voxelSize = std::floor(exact / digit) * digit;
-    const mesh::Box box = boxOf(params);
-    const glm::dvec3 edges = box.max - box.min;
-    const int padding = params.bounds ? 0 : params.padding;
-    const double voxels = std::ceil(std::max({edges.x, edges.y, edges.z}) / exact) + 2 * padding;
-    if (!(voxels <= kLongestEdge))
+    const double objects = std::ceil(longestEdge(boxOf(params)) / exact);
+    const int most = kLongestEdge - 2 * paddingWithin(params, kLongestEdge);
+    if (!(objects <= most))
         return "no --resolution up to " + std::to_string(kLongestEdge) + " would";
+    auto resolution = static_cast<int>(objects);
+    while (resolution - 2 * paddingWithin(params, resolution) < objects) ++resolution;
     return (params.voxelSize ? "--voxel-size " + rounded(voxelSize, 4)
-                             : "--resolution " + toText(voxels)) +
+                             : "--resolution " + std::to_string(resolution)) +
            " would";
 }
 

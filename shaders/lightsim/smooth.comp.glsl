@@ -1,12 +1,112 @@
-// One axis of the 3×3×3 smoothing of the light (Sun et al. 2008, §4.4): weights 1 2 1, edges clamp.
+// One axis of the 3×3×3 smoothing of the light (Sun et al. 2008, §4.4): weights 1 2 1.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The weights 1 2 1 raise an exponential, which light in a medium is, by a quarter of its square
+// slope; where a face cuts a neighbour off they are far more off. Here exponentials stay as they are:
+// a neighbour beyond a face goes on from those inside, and where a voxel and its neighbours tell the
+// same exponential the mean of both halves of 1 2 1 is a harmonic one. Either is a mean of the
+// neighbours' values: what has no negative value gets none.
 #include "shared/bindings.h"
 #include "shared/lightsim_params.h"
 
+#if !defined(DIRECTION) || !defined(FLUENCE)
+#error DIRECTION must be 0 or 1, FLUENCE 1 or 3
+#endif
+const bool kDirection = DIRECTION == 1;
+
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { ResolveParams params; };
-layout(std430, binding = kSourceBuffer) readonly buffer Source { float source[]; };
-layout(std430, binding = kTargetBuffer) writeonly buffer Target { float target[]; };
+// Channels of fluence, then the direction's three planes, power times direction.
+layout(std430, binding = kSourcesBuffer) readonly buffer Source { float values[]; } sources[FLUENCE + 3 * DIRECTION];
+layout(std430, binding = kTotalsBuffer) writeonly buffer Target { float values[]; } targets[FLUENCE + 3 * DIRECTION];
+
+// A voxel's value with two before it and two behind it, along the axis.
+struct Row {
+    float before2;
+    float before;
+    float here;
+    float after;
+    float after2;
+};
+
+Row added(Row a, Row b) {
+    return Row(a.before2 + b.before2, a.before + b.before, a.here + b.here, a.after + b.after,
+               a.after2 + b.after2);
+}
+
+// How values grow beyond a face whose first ones inside these are: by the lesser of two steps that go
+// the same way, else not at all. So what is made of the first one is at most an eighth more than it.
+float growthBeyond(float first, float second, float third) {
+    if (min(first, min(second, third)) <= 0.0) return 1.0;
+    float near = first / second;
+    float next = second / third;
+    if ((near - 1.0) * (next - 1.0) <= 0.0) return 1.0;
+    return clamp(near > 1.0 ? min(near, next) : max(near, next), 1.0 / 16.0, 16.0);
+}
+
+struct Growth {
+    float before; // beyond the axis's first voxel
+    float after;  // and its last
+};
+
+// Of a row whose places beyond the faces repeat the outermost value. Only rows that reach them count.
+Growth growthOf(Row row, int place, int count) {
+    Growth growth = Growth(1.0, 1.0);
+    if (count < 3) return growth;
+    if (place == 0) growth.before = growthBeyond(row.here, row.after, row.after2);
+    if (place == 1) growth.before = growthBeyond(row.before, row.here, row.after);
+    if (place == count - 1) growth.after = growthBeyond(row.here, row.before, row.before2);
+    if (place == count - 2) growth.after = growthBeyond(row.after, row.here, row.before);
+    return growth;
+}
+
+Row grown(Row row, Growth growth, int place, int count) {
+    if (place == 0) {
+        row.before = growth.before * row.here;
+        row.before2 = growth.before * row.before;
+    } else if (place == 1) {
+        row.before2 = growth.before * row.before;
+    }
+    if (place == count - 1) {
+        row.after = growth.after * row.here;
+        row.after2 = growth.after * row.after;
+    } else if (place == count - 2) {
+        row.after2 = growth.after * row.after;
+    }
+    return row;
+}
+
+// By what share of it 1 2 1 exceeds the middle one of three values of an exponential; 0 where their
+// slope and how they bend are not of one.
+float excess(float before, float here, float after) {
+    float mean = 0.25 * (before + 2.0 * here + after);
+    if (mean <= 0.0) return 0.0;
+    float inverse = 1.0 / mean;
+    float slope = 0.5 * (after - before) * inverse;
+    float bend = (before - 2.0 * here + after) * inverse;
+    float square = slope * slope; // an exponential's bend
+    // All of it where they agree to a quarter, none where they are off by half.
+    return clamp(0.5 * square - abs(bend - square), 0.0, 0.25 * square);
+}
+
+// The share of the half before the voxel in its mean. It is ½, as in 1 2 1, where the voxel and its
+// neighbours do not tell one exponential: noise, edges of shadows, the surroundings of a lamp.
+float shareBefore(Row row) {
+    float difference = 0.5 * (row.before - row.after); // of the two halves
+    if (difference == 0.0) return 0.5;
+    float mean = 0.25 * (row.before + 2.0 * row.here + row.after);
+    vec3 found = vec3(excess(row.before2, row.before, row.here),
+                      excess(row.before, row.here, row.after),
+                      excess(row.here, row.after, row.after2));
+    float least = min(found.x, min(found.y, found.z));
+    float most = max(found.x, max(found.y, found.z));
+    least = clamp(3.0 * least - most, 0.0, least);
+    return clamp(0.5 - mean * least / difference, 0.0, 1.0);
+}
+
+float meanOf(Row row, float share) {
+    return mix(0.5 * (row.here + row.after), 0.5 * (row.before + row.here), share);
+}
 
 void main() {
     ivec3 p = ivec3(gl_GlobalInvocationID);
@@ -14,7 +114,35 @@ void main() {
     int axis = params.planes.z;
     int stride = axis == 0 ? 1 : axis == 1 ? params.size.x : params.size.x * params.size.y;
     int at = (p.z * params.size.y + p.y) * params.size.x + p.x;
-    int before = p[axis] > 0 ? at - stride : at;
-    int after = p[axis] < params.size[axis] - 1 ? at + stride : at;
-    target[at] = 0.25 * (source[before] + 2.0 * source[at] + source[after]);
+    int place = p[axis];
+    int count = params.size[axis];
+    int before = place > 0 ? at - stride : at;
+    int before2 = place > 1 ? before - stride : before;
+    int after = place < count - 1 ? at + stride : at;
+    int after2 = place < count - 2 ? after + stride : after;
+    Row power = Row(0.0, 0.0, 0.0, 0.0, 0.0);
+    float sum = 0.0;
+    for (int i = 0; i < FLUENCE; ++i) {
+        Row row = Row(sources[i].values[before2], sources[i].values[before], sources[i].values[at],
+                      sources[i].values[after], sources[i].values[after2]);
+        power = added(power, row);
+        row = grown(row, growthOf(row, place, count), place, count);
+        float mean = meanOf(row, shareBefore(row));
+        targets[i].values[at] = mean;
+        sum += mean;
+    }
+    if (kDirection) {
+        // By the shares of the power: then the direction, their quotient, is a mean of the neighbours'
+        // directions. The power will be what its channels make of it, each by shares of its own.
+        Growth growth = growthOf(power, place, count);
+        power = grown(power, growth, place, count);
+        float share = shareBefore(power);
+        float mean = meanOf(power, share);
+        float scale = mean > 0.0 ? sum / mean : 0.0;
+        for (int i = FLUENCE; i < FLUENCE + 3 * DIRECTION; ++i) {
+            Row row = Row(0.0, sources[i].values[before], sources[i].values[at],
+                          sources[i].values[after], 0.0); // its mean wants no more
+            targets[i].values[at] = scale * meanOf(grown(row, growth, place, count), share);
+        }
+    }
 }

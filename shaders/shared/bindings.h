@@ -46,7 +46,8 @@ const int kNextListBuffer = 3; // those of the next launch
 const int kPlanesBuffer = 4;   // fixed-point sums per voxel, up to six buffers
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
-const int kTotalsBuffer = 10;  // resolve.comp: floats per voxel, up to six buffers
+const int kSourcesBuffer = 0;  // smooth.comp: totals before a pass, up to six buffers
+const int kTotalsBuffer = 10;  // resolve.comp, smooth.comp: floats per voxel, up to six buffers
 
 // lightsim, the octree: storage buffers, and an image.
 const int kIndexBuffer = 0;      // per voxel

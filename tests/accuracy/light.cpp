@@ -43,8 +43,8 @@ Knobs converged() {
 lightsim::Params paramsOf(const Knobs& knobs, std::int64_t photons, std::uint32_t seed) {
     lightsim::Params params = lightParams(slantingLight(), photons);
     params.tracing = knobs.trace.tracing;
-    params.tolerance = knobs.tolerance;
-    params.secondTolerance = knobs.secondTolerance;
+    params.octreeTolerance = knobs.tolerance;
+    params.octreeTolerance2 = knobs.secondTolerance;
     params.stepMin = knobs.stepMin;
     params.smoothing = knobs.smoothing;
     params.seed = seed;
@@ -108,7 +108,7 @@ std::vector<Named> knobRows(bool full) {
     add("--integrator rk4", {.trace = fixed("rk4", "cubic", 0)});
     for (const double tolerance : {0.1, 0.01, 0.001})
         if (full || tolerance == 0.01)
-            add("--trace-tolerance " + toText(tolerance), {.trace = adaptive(tolerance)});
+            add("--tolerance " + toText(tolerance), {.trace = adaptive(tolerance)});
     for (const double stepMin : {0.25, 0.5, 2.0, 4.0})
         if (full || stepMin == 0.5 || stepMin == 2)
             add("--step-min " + toText(stepMin), {.stepMin = stepMin});
@@ -116,7 +116,7 @@ std::vector<Named> knobRows(bool full) {
         {0, 0}, {0.0005, 0.002}, {0.002, 0.01}, {0.02, 0.05}, {0.05, 0.2}};
     for (const auto& [first, second] : pairs)
         if (full || first != 0.002)
-            add("--tolerance " + toText(first) + " --tolerance2 " + toText(second),
+            add("--octree-tolerance " + toText(first) + " --octree-tolerance2 " + toText(second),
                 {.tolerance = first, .secondTolerance = second});
     if (full) {
         add("--step-min 0.5 --interpolation cubic",

@@ -16,7 +16,7 @@ Json measureSteps(const Settings& settings) {
     lightsim::Params fine;
     fine.lights.push_back(lightsim::parseLight("directional:0.2,-1,0.1"));
     fine.photons = 1 << 18;
-    fine.tolerance = fine.secondTolerance = 0;
+    fine.octreeTolerance = fine.octreeTolerance2 = 0;
     fine.stepMin = 0.25;
     std::vector<float> reference;
     Json rows = Json::array();
@@ -44,21 +44,21 @@ Json measureSteps(const Settings& settings) {
     other.seed = 1;
     row("the same, another seed", other);
     lightsim::Params usual = fine;
-    usual.tolerance = 0.005;
-    usual.secondTolerance = 0.02;
+    usual.octreeTolerance = 0.005;
+    usual.octreeTolerance2 = 0.02;
     usual.stepMin = 1;
     const auto varied = [&](double tolerance, double second, double stepMin) {
         lightsim::Params params = usual;
-        params.tolerance = tolerance;
-        params.secondTolerance = second;
+        params.octreeTolerance = tolerance;
+        params.octreeTolerance2 = second;
         params.stepMin = stepMin;
         return params;
     };
     row("--step-min 0.5", varied(0.005, 0.02, 0.5));
-    row("--tolerance 0 --tolerance2 0", varied(0, 0, 1));
-    row("--tolerance 0.0005 --tolerance2 0.002", varied(0.0005, 0.002, 1));
+    row("--octree-tolerance 0 --octree-tolerance2 0", varied(0, 0, 1));
+    row("--octree-tolerance 0.0005 --octree-tolerance2 0.002", varied(0.0005, 0.002, 1));
     row("default", usual);
-    row("--tolerance 0.02 --tolerance2 0.05", varied(0.02, 0.05, 1));
+    row("--octree-tolerance 0.02 --octree-tolerance2 0.05", varied(0.02, 0.05, 1));
     row("--step-min 2", varied(0.005, 0.02, 2));
     return rows;
 }

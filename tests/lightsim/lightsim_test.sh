@@ -30,16 +30,58 @@ test_bad_usage() {
         refuses 64 in.vdb -o out.vdb --light "$spec"
     done
     local option
-    for option in photons=0 photons=-5 photons=x photons=1e30 tolerance=-1 tolerance=nan \
-        tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
+    for option in photons=0 photons=-5 photons=x photons=1e30 octree-tolerance=-1 \
+        octree-tolerance=nan octree-tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
         step-min=1e9 max-steps=0 max-steps=100000 drop-below=1 drop-below=-1 drop-below=nan \
-        step=0 step=nan integrator=magic interpolation=nearest trace-tolerance=0 trace-tolerance=nan \
+        step=0 step=nan integrator=magic interpolation=nearest tolerance=0 tolerance=nan \
         thin-to=1 thin-to=-0.1 thin-to=nan smoothing=-1 smoothing=65 smoothing=x method=magic \
         outputs=nothing outputs=fluence, outputs= seed=-1 threads=-1 device=nothing \
         progress=loud; do
         refuses 64 in.vdb $sun -o out.vdb "--$option"
         says "${option%%=*}"
     done
+}
+
+test_old_names() {
+    # What an option was called once still works, is not in --help, and says what it is called now.
+    expect 0 lightsim --help
+    grep -q -e '--trace-tolerance\|--tolerance2' stdout && fail "--help has an old name"
+    prints '--octree-tolerance2'
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --trace-tolerance 0.5 --stats stats.json
+    says '^lightsim: warning: --trace-tolerance is called --tolerance now$'
+    holds stats.json '.warnings | map(test("trace-tolerance")) | any'
+    holds stats.json '.counters.position_error_voxels > 0'
+    expect 0 lightsim in.vdb $sun $few -o new.vdb --tolerance 0.5 --stats new.json
+    grep -q 'is called' stderr && fail "--tolerance warns of its name"
+    [ "$(jq .counters.steps stats.json)" = "$(jq .counters.steps new.json)" ] ||
+        fail "--trace-tolerance is not --tolerance"
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --tolerance2 0.5 --stats stats.json
+    says '^lightsim: warning: --tolerance2 is called --octree-tolerance2 now, and'
+    expect 0 lightsim in.vdb $sun $few -o new.vdb --octree-tolerance2 0.5 --stats new.json
+    [ "$(jq .counters.steps stats.json)" = "$(jq .counters.steps new.json)" ] ||
+        fail "--tolerance2 is not --octree-tolerance2"
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --tolerance2 0.5 --quiet
+    [ ! -s stderr ] || fail "--quiet warns"
+    echo 'tolerance2=0.5' >old.ini
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --config old.ini
+    says 'octree-tolerance2'
+    rm -f out.vdb new.vdb
+    refuses 64 in.vdb $sun -o out.vdb --tolerance2 0.5 --octree-tolerance2 0.5
+    says 'given, too'
+    refuses 64 in.vdb $sun -o out.vdb --trace-tolerance 0
+    says '--tolerance: found 0'
+    refuses 64 in.vdb $sun -o out.vdb --trace-tolerance 1 --integrator rk4
+}
+
+test_warnings_come_last() {
+    # On its own the error: a script reads the first line.
+    refuses 74 in.vdb $sun $few -o /dev/full --tolerance2 0.5
+    refuses 73 glass.vdb $sun -o absent/out.vdb --tolerance2 0.5
+    # A note, too.
+    refuses 74 glass.vdb $sun -o /dev/full
+    expect 0 lightsim in.vdb $sun $few -o out.vdb --tolerance2 0.5 --progress json
+    tail -1 stderr | grep -q 'warning: --tolerance2' || fail "the warning is not last"
+    rm -f out.vdb
 }
 
 test_output_is_input() {

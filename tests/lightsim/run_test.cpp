@@ -112,8 +112,8 @@ TEST(LightRun, FaintPhotonsAreDropped) {
     TestVolume scene({32, 4, 4});
     scene.constantVector("absorption", dvec3(1));
     Params params = paramsOf({beam({1, 0, 0})}, 1 << 12);
-    params.tolerance = 0;
-    params.secondTolerance = 0;
+    params.octreeTolerance = 0;
+    params.octreeTolerance2 = 0;
     params.stepMin = 1;
     params.dropBelow = 0.01;
     const Lit lit(scene.volume(), params);
@@ -238,9 +238,9 @@ TEST(LightRun, WrongParametersAreUsageErrors) {
     EXPECT_NO_THROW(paramsOf({beam({0, -1, 0})}).check());
     refused([](auto& p) { p.lights.clear(); });
     refused([](auto& p) { p.photons = 0; });
-    refused([](auto& p) { p.tolerance = -1; });
-    refused([](auto& p) { p.tolerance = std::nan(""); });
-    refused([](auto& p) { p.secondTolerance = 0.001; });
+    refused([](auto& p) { p.octreeTolerance = -1; });
+    refused([](auto& p) { p.octreeTolerance = std::nan(""); });
+    refused([](auto& p) { p.octreeTolerance2 = 0.001; });
     refused([](auto& p) { p.stepLimit = 0; });
     refused([](auto& p) { p.stepMin = 0; });
     refused([](auto& p) { p.maxSteps = 0; });

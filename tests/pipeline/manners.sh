@@ -28,7 +28,7 @@ expect() {
     local found=$?
     [ $found -eq "$wanted" ] || fail "'$*' gave $found, expected $wanted"
     if [ "$wanted" -ge 64 ] && [ "$wanted" -lt 128 ]; then
-        [ "$(grep -c ' error: ' stderr)" -eq 1 ] || fail "'$*': expected one line of error"
+        [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*': expected one line, the error"
         grep -q "^$tool: error: " stderr || fail "'$*': its error does not say who speaks"
     fi
 }

@@ -238,6 +238,8 @@ test_tolerance() {
     says 'warning: 64 rays used up --max-steps'
     holds stats.json '.counters.trapped == 64'
     rm out.exr
+    # A run that fails says why, and nothing else.
+    refuses 74 rod.vdb $look -o /dev/full --max-steps 7
 }
 
 test_header_and_channels() {

@@ -34,7 +34,8 @@ expect() {
         fail "$case" "status $status, expected $wanted: $(head -1 "$err")"
     elif [ "$wanted" -ne 0 ]; then
         [ "$before" = "$(ls -A)" ] || fail "$case" "left a file: $(ls -A | tr '\n' ' ')"
-        [ "$(grep -c '^mesh2vol: error: ' "$err")" = 1 ] || fail "$case" "said: $(cat "$err")"
+        [ "$(wc -l <"$err")" = 1 ] && grep -q '^mesh2vol: error: ' "$err" ||
+            fail "$case" "said: $(cat "$err")"
         [ -s "$out" ] && fail "$case" "wrote to standard output"
     fi
     last=$(cat "$err")
@@ -120,13 +121,15 @@ refused --medium-scattering -1
 refused --medium-anisotropy 1
 refused --medium-emission -1
 refused --medium-dispersion nan
-refused --resolution 0 -5 2047 1.5 x 16
+refused --resolution 0 -5 2047 1.5 x
 refused --voxel-size 0 -1 nan inf 1e-9 x
 refused --padding -1 1e9 2000 x
 refused --supersample 0 3 16 x
 refused --bounds 0,0,0,1,1 0,0,0,1,1,0 1,0,0,0,1,1 a,b,c,d,e,f nan,0,0,1,1,1
 refused --sdf-band 0 -1 3.9 1000 nan
 expect "resolution and voxel size" 64 box.obj --ior 1.5 -o x.vdb --resolution 9 --voxel-size 1
+expect "padding too wide" 64 box.obj --ior 1.5 -o x.vdb --resolution 16 --padding 8
+said "padding too wide" "--resolution: found 16, expected more than twice the --padding of 8"
 expect "padding and bounds" 64 box.obj --ior 1.5 -o x.vdb --padding 1 --bounds 0,0,0,1,1,1
 expect "three indices for two meshes" 64 box.obj box.obj --ior 1 --ior 2 --ior 3 -o x.vdb
 said "three indices for two meshes" "--ior: given 3 times, expected once or once for each"
@@ -177,11 +180,15 @@ expect "outputs before meshes" 0 -o several.vdb --ior 1.5 --ior 1.2 --resolution
     --name first --name second.part box.obj box.obj
 expect "same name, blurred" 0 box.obj box.obj $small --boundary blurred -o same.vdb
 rm -f same.vdb
+for voxels in 1 2 4 7 16; do
+    expect "resolution $voxels" 0 box.obj --ior 1.5 --resolution $voxels -o few.vdb
+done
 sed 's/^v 1/v 0.01/' box.obj >thin.obj
 expect "thin wall" 0 thin.obj $small -o thin.vdb --stats thin.json
 said "thin wall" "warning: 'thin' has a wall of 0.01 units, 0.0467 voxels, at (0.005, "
 said "thin wall" "--resolution 606 would"
 check "thin wall" grep -q '"thinnest_wall_voxels": 0.0466' thin.json
+expect "thin wall that can't be written" 74 thin.obj $small -o /dev/full
 expect "thin wall, --voxel-size" 0 thin.obj --ior 1.5 --voxel-size 0.1 -o thin.vdb
 said "thin wall, --voxel-size" "--voxel-size 0.005 would"
 expect "thin wall resolved" 0 thin.obj --ior 1.5 --voxel-size 0.005 --padding 4 -o thin.vdb --quiet

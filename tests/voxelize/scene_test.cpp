@@ -90,6 +90,38 @@ TEST(Domain, TakesVoxelSizeCubeAndBounds) {
     EXPECT_EQ(makePlan(params).lattice.size, ivec3(6, 4, 4)); // no padding
 }
 
+TEST(Domain, LeavesHalfOfItsVoxelsToTheObjectsUnlessToldOtherwise) {
+    Params params;
+    params.objects = {objectOf(box({0, 0, 0}, {4, 2, 1}), 1.5)};
+    // Padding 8, or a quarter: of 1, 3, 16, 31 voxels 1, 3, 8, 17 are left.
+    const std::pair<int, double> cases[] = {{1, 1},   {3, 3},   {16, 8},
+                                            {31, 17}, {32, 16}, {128, 112}};
+    for (const auto& [resolution, left] : cases) {
+        params.resolution = resolution;
+        EXPECT_NO_THROW(params.check()) << resolution;
+        const Plan plan = makePlan(params);
+        EXPECT_EQ(plan.lattice.size.x, resolution);
+        EXPECT_EQ(plan.lattice.voxelSize, 4 / left) << resolution;
+    }
+    params.resolution = 16;
+    params.padding = 8;
+    EXPECT_THROW(params.check(), UsageError);
+    params.padding = 7;
+    EXPECT_NO_THROW(params.check());
+    EXPECT_EQ(makePlan(params).lattice.voxelSize, 2);
+}
+
+TEST(Domain, PadsVoxelsOfAGivenSizeAsFarAsTheyMayGo) {
+    Params params;
+    params.objects = {objectOf(box({0, 0, 0}, {4, 2, 1}), 1.5)};
+    params.voxelSize = 2; // few voxels lose none to padding
+    EXPECT_EQ(makePlan(params).lattice.size, ivec3(18, 17, 17));
+    params.voxelSize = 4.0 / 2040; // 2046 is the most
+    EXPECT_EQ(makePlan(params).lattice.size.x, 2046);
+    params.padding = 8;
+    EXPECT_THROW(makePlan(params), UsageError);
+}
+
 TEST(Domain, RefusesTooManyVoxels) {
     Params params;
     params.objects = {objectOf(box({0, 0, 0}, {1, 1, 1}), 1.5)};

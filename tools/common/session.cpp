@@ -151,7 +151,24 @@ int Session::run(int argc, char** argv, const std::function<void(Session&)>& wor
         std::cerr << mName << ": error: standard output: write failed\n";
         return static_cast<int>(ExitStatus::io);
     }
+    if (status == 0) printRemarks();
     return status != 0 ? status : std::max(parsed, 0);
+}
+
+void Session::acceptOldName(CLI::Option* option, const std::string& oldName,
+                            const std::string& more) {
+    mApp.add_option_function<std::string>(oldName,
+                                          [=, this](const std::string& text) {
+                                              const std::string name = option->get_name();
+                                              if (option->count() > 0)
+                                                  throw UsageError(oldName + ": is " + name +
+                                                                   " by its old name, and that is "
+                                                                   "given, too");
+                                              option->add_result(text);
+                                              option->run_callback();
+                                              warn(oldName + " is called " + name + " now" + more);
+                                          })
+        ->group(""); // not in --help
 }
 
 int Session::guarded(const std::function<void()>& body) {
@@ -269,13 +286,18 @@ void Session::say(const std::string& line) const {
     if (mVerbose) std::cerr << mName << ": " << line << "\n";
 }
 
-void Session::note(const std::string& line) const {
-    if (!mQuiet) std::cerr << mName << ": " << line << "\n";
+void Session::note(const std::string& line) {
+    mRemarks.push_back(line);
 }
 
 void Session::warn(const std::string& line) {
     mStats.warnings.push_back(line);
-    if (!mQuiet) std::cerr << mName << ": warning: " << line << "\n";
+    mRemarks.push_back("warning: " + line);
+}
+
+void Session::printRemarks() const {
+    if (mQuiet) return;
+    for (const std::string& line : mRemarks) std::cerr << mName << ": " << line << "\n";
 }
 
 History Session::history() const {

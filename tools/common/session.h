@@ -34,8 +34,14 @@ public:
     CLI::App& app() { return mApp; }
 
     /// Parses the command line, does `work`, and returns the exit status. Every error becomes one
-    /// line on standard error; no output is left unless all went well.
+    /// line on standard error, the only one but for --verbose and --progress; no output is left
+    /// unless all went well.
     int run(int argc, char** argv, const std::function<void(Session&)>& work);
+
+    /// Takes `oldName`, which --help leaves out, for `option`, and warns; `more` goes on with the
+    /// warning. Throws UsageError where both are given.
+    void acceptOldName(CLI::Option* option, const std::string& oldName,
+                       const std::string& more = "");
 
     // For `work`:
 
@@ -61,15 +67,17 @@ public:
     /// Times `work` on the host alone as a pass.
     void pass(const std::string& name, const std::function<void()>& work);
     Progress progress();
-    void say(const std::string& line) const;  ///< under --verbose
-    void note(const std::string& line) const; ///< unless --quiet
-    void warn(const std::string& line);       ///< unless --quiet; kept for --stats
+    void say(const std::string& line) const; ///< under --verbose, at once
+    // A script reads the first line of a run that failed: so these two wait until it has not.
+    void note(const std::string& line); ///< at the end of a run that succeeded, unless --quiet
+    void warn(const std::string& line); ///< the same; kept for --stats
     History history() const;
 
 private:
     int guarded(const std::function<void()>& body);
     void parse(int argc, char** argv);
     void finish();
+    void printRemarks() const;
     std::string statsText() const;
 
     std::string mName;
@@ -89,6 +97,7 @@ private:
     struct ThreadLimit;
     std::unique_ptr<ThreadLimit> mThreadLimit;
     Stats mStats;
+    std::vector<std::string> mRemarks; // notes and warnings, in order
     double mBegan = 0;
     int mLastPercent = -1;
     bool mBarDrawn = false;

@@ -9,9 +9,8 @@
 
 namespace eikonal::tool {
 
-TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption,
-                               const std::string& stepHelp, int& maxDepth, const std::string& what)
-    : mToleranceOption(toleranceOption) {
+TracingOptions::TracingOptions(CLI::App& app, const std::string& stepHelp, int& maxDepth,
+                               const std::string& what) {
     const char* const kGroup = "Tracing";
     app.add_option("--boundary", mBoundary,
                    "sharp (Snell's and Fresnel's laws at the zero of signed distances), blurred "
@@ -28,9 +27,8 @@ TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption
         app.add_option(
                "--integrator", mIntegrator,
                "euler (the older papers' scheme, first order), verlet (one look-up a step), "
-               "sharma (fourth order, three), rk4 (four), adaptive (keeps to " +
-                   toleranceOption +
-                   "); the default is the cheapest at its error (docs/accuracy.md)")
+               "sharma (fourth order, three), rk4 (four), adaptive (keeps to --tolerance); "
+               "the default is the cheapest at its error (docs/accuracy.md)")
             ->check(CLI::IsMember(optics::integratorNames()))
             ->capture_default_str()
             ->group(kGroup);
@@ -48,7 +46,7 @@ TracingOptions::TracingOptions(CLI::App& app, const std::string& toleranceOption
         })
         ->group(kGroup);
     mTolerance =
-        app.add_option(toleranceOption, mTracing.tolerance,
+        app.add_option("--tolerance", mTracing.tolerance,
                        "error that a ray may have where it leaves [voxel]; implies adaptive")
             ->type_name("VOXELS")
             ->capture_default_str()
@@ -60,7 +58,7 @@ optics::Tracing TracingOptions::finish() const {
     std::string integrator = mIntegrator;
     if (mTolerance->count() > 0) {
         if (mIntegratorOption->count() > 0 && integrator != "adaptive")
-            throw UsageError(mToleranceOption + ": --integrator " + integrator +
+            throw UsageError("--tolerance: --integrator " + integrator +
                              " keeps to no tolerance, expected adaptive");
         integrator = "adaptive";
     }
@@ -77,7 +75,7 @@ void TracingOptions::warnOf(Session& session, const std::string& rays) const {
         session.warn(toText(trapped) + " " + rays + " used up --max-steps within the volume");
     const double error = stats.counter("position_error_voxels");
     if (error > mTracing.tolerance)
-        session.warn(mToleranceOption + " " + toText(mTracing.tolerance) +
+        session.warn("--tolerance " + toText(mTracing.tolerance) +
                      " is out of reach of 32-bit floats, or of the longest ways: errors up to " +
                      toText(std::round(error * 1e6) / 1e6) + " voxels are estimated");
 }

@@ -14,9 +14,11 @@ namespace eikonal::tool {
 class TracingOptions {
 public:
     /// Adds --boundary, --max-depth (into `maxDepth`, for `what`), --integrator, --interpolation,
-    /// --step and the tolerance under its name.
-    TracingOptions(CLI::App& app, const std::string& toleranceOption, const std::string& stepHelp,
-                   int& maxDepth, const std::string& what);
+    /// --step and --tolerance.
+    TracingOptions(CLI::App& app, const std::string& stepHelp, int& maxDepth,
+                   const std::string& what);
+
+    CLI::Option* toleranceOption() const { return mTolerance; }
 
     /// A tolerance alone asks for adaptive steps. Throws UsageError where another integrator was
     /// named beside it.
@@ -26,7 +28,7 @@ public:
     void warnOf(Session& session, const std::string& rays) const;
 
 private:
-    std::string mToleranceOption, mIntegrator = "verlet", mInterpolation, mBoundary = "auto";
+    std::string mIntegrator = "verlet", mInterpolation, mBoundary = "auto";
     optics::Tracing mTracing;
     CLI::Option *mIntegratorOption, *mTolerance;
 };

@@ -20,7 +20,8 @@ struct Options {
     std::optional<tool::TracingOptions> tracing;
 };
 
-void addOptions(CLI::App& app, Options& o) {
+void addOptions(tool::Session& session, Options& o) {
+    CLI::App& app = session.app();
     lightsim::Params& p = o.params;
     app.add_option("input", o.input, "scene volume; - is standard input")
         ->type_name("IN.vdb")
@@ -44,13 +45,15 @@ void addOptions(CLI::App& app, Options& o) {
            "pixels of each light's photon map")
         ->type_name("N")
         ->default_str(std::to_string(p.photons));
-    app.add_option("--tolerance", p.tolerance, "index range within which a leaf is constant")
+    app.add_option("--octree-tolerance", p.octreeTolerance,
+                   "index range within which a leaf of the octree is constant")
         ->type_name("E")
         ->capture_default_str();
-    app.add_option("--tolerance2", p.secondTolerance, "index range within which steps are limited")
-        ->type_name("E")
-        ->capture_default_str();
-    app.add_option("--step-limit", p.stepLimit, "longest step within --tolerance2 [voxel]")
+    auto* second = app.add_option("--octree-tolerance2", p.octreeTolerance2,
+                                  "index range within which a leaf limits steps")
+                       ->type_name("E")
+                       ->capture_default_str();
+    app.add_option("--step-limit", p.stepLimit, "longest step within --octree-tolerance2 [voxel]")
         ->type_name("VOXELS")
         ->capture_default_str();
     app.add_option("--step-min", p.stepMin, "shortest step [voxel]")
@@ -68,9 +71,12 @@ void addOptions(CLI::App& app, Options& o) {
     app.add_option("--smoothing", p.smoothing, "rounds of 3x3x3 smoothing of the result")
         ->type_name("N")
         ->capture_default_str();
-    o.tracing.emplace(app, "--trace-tolerance",
-                      "longest step [voxel]; default: as the octree allows", p.maxDepth,
+    o.tracing.emplace(app, "longest step [voxel]; default: as the octree allows", p.maxDepth,
                       "a photon");
+    session.acceptOldName(o.tracing->toleranceOption(), "--trace-tolerance");
+    session.acceptOldName(second, "--tolerance2",
+                          ", and the octree's other one --octree-tolerance: --tolerance is the "
+                          "error of a photon's exit");
     app.add_option("--proxy", o.proxy,
                    "closed mesh on which photons start, not on the domain's box")
         ->type_name("MESH");
@@ -130,8 +136,8 @@ void simulate(tool::Session& session, Options& o) {
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
     o.params.seed = session.seed();
     o.params.tracing = o.tracing->finish();
-    if (session.app().count("--tolerance2") == 0)
-        o.params.secondTolerance = std::max(o.params.secondTolerance, o.params.tolerance);
+    if (session.app().count("--octree-tolerance2") == 0)
+        o.params.octreeTolerance2 = std::max(o.params.octreeTolerance2, o.params.octreeTolerance);
     o.params.check();
     session.guardInputs({o.input, o.proxy}, {o.octree});
     if (!o.proxy.empty()) o.params.proxy = readProxy(o.proxy, o.params);
@@ -181,6 +187,6 @@ int main(int argc, char** argv) {
     tool::Session session("lightsim", "Sends light through a scene volume along curved paths and "
                                       "writes fluence and direction per voxel.");
     Options options;
-    addOptions(session.app(), options);
+    addOptions(session, options);
     return session.run(argc, argv, [&](tool::Session&) { simulate(session, options); });
 }

@@ -104,9 +104,11 @@ inline void addOptions(CLI::App& app, Options& o) {
                             ->type_name("S")
                             ->excludes(resolution)
                             ->group(group);
-    auto* padding = app.add_option("--padding", p.padding, "voxels around the meshes, on all sides")
+    auto* padding = app.add_option("--padding", p.padding,
+                                   "voxels around the meshes, on all sides; default: " +
+                                       std::to_string(voxelize::kUsualPadding) +
+                                       ", but a quarter of --resolution at most")
                         ->type_name("VOXELS")
-                        ->capture_default_str()
                         ->group(group);
     app.add_option("--bounds", o.bounds, "the domain [unit], instead of meshes and padding")
         ->type_name("X0,Y0,Z0,X1,Y1,Z1")

@@ -74,7 +74,7 @@ void addOptions(CLI::App& app, Options& o) {
         ->type_name("DEG")
         ->group("Background");
     o.tracing.emplace(
-        app, "--tolerance",
+        app,
         "longest step [voxel]; default 1, for verlet 1.5 where no medium is sampled along, "
         "for adaptive 4",
         p.maxDepth, "a ray");
