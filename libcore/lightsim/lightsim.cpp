@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "lightsim/emission.h"
 #include "lightsim/energy.h"
+#include "lightsim/octree.h"
 #include "lightsim/photons.h"
 #include "lightsim/receivers.h"
 #include "optics/bands.h"
@@ -16,6 +17,15 @@ namespace eikonal::lightsim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+
+/// Times what `work` does on the device under that name.
+template<typename Work>
+auto timed(gpu::Profiler& profiler, const char* name, const Work& work) {
+    profiler.begin(name);
+    auto result = work();
+    profiler.end();
+    return result;
+}
 
 /// A simulation: what it was asked, and what is on the device for its duration.
 struct Run {
@@ -32,18 +42,40 @@ struct Run {
     Photons photons{};
     unsigned batches = 0; ///< begun so far
 
-    /// Times what `work` does on the device under that name.
     template<typename Work> auto pass(const char* name, const Work& work) {
-        profiler.begin(name);
-        auto result = work();
-        profiler.end();
-        return result;
+        return timed(profiler, name, work);
     }
 };
 
 scene::StepLengths stepsOf(const Params& params) {
     const double longest = params.tracing.step > 0 ? params.tracing.step : 1e6;
     return {longest, 1e-3, longest, false};
+}
+
+Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats,
+          gpu::Profiler& profiler) {
+    const auto make = [&](const char* name, const auto& work) {
+        return timed(profiler, name, work);
+    };
+    scene::Transport transport = make("medium", [&] {
+        return scene::Transport(device, plan.scene, params.tracing, stepsOf(params));
+    });
+    Media media = make("medium", [&] { return Media(device, plan); });
+    gpu::Texture leaves;
+    if (plan.usesOctree())
+        leaves = make("octree", [&] { return makeOctree(device, plan, params); });
+    return make("shaders", [&] {
+        return Run{device,
+                   plan,
+                   params,
+                   stats,
+                   profiler,
+                   std::move(transport),
+                   Emission(device, plan, params),
+                   PhotonTracer(device, plan, params, std::move(media), std::move(leaves)),
+                   EnergyMeter(device),
+                   Receivers(device, plan, params)};
+    });
 }
 
 /// Traces the photons emitted to the end, or until few are left. Returns how many are.
@@ -125,18 +157,7 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
     device.requireFit(needsOf(plan, params));
     gpu::Profiler profiler(stats);
     stats.hasEnergy = true;
-    profiler.begin("set up");
-    Run run{device,
-            plan,
-            params,
-            stats,
-            profiler,
-            scene::Transport(device, plan.scene, params.tracing, stepsOf(params)),
-            Emission(device, plan, params),
-            PhotonTracer(device, plan, params),
-            EnergyMeter(device),
-            Receivers(device, plan, params)};
-    profiler.end();
+    Run run = begin(device, plan, params, stats, profiler);
     const std::vector<optics::Band> bands = optics::wholeLight();
     const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
     const double parts = static_cast<double>(bands.size() * params.lights.size());

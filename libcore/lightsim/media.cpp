@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/media.h"
 
+#include "lightsim/shared.h"
 #include "scene/padded.h"
 
 namespace eikonal::lightsim {
+
+namespace {
 
 gpu::Texture makeAbsorption(gpu::Device& device, const Plan& plan) {
     const scene::Region& medium = plan.scene.medium();
@@ -37,6 +40,21 @@ gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {
     gpu::Texture texture(device, plan.scene.size(), gpu::TexelFormat::r8ui, gpu::Filter::nearest);
     texture.upload(opaque.data());
     return texture;
+}
+
+} // namespace
+
+Media::Media(gpu::Device& device, const Plan& plan) {
+    if (plan.scene.sharp) return;
+    if (plan.attenuates) absorption = makeAbsorption(device, plan);
+    if (plan.attenuates && plan.colour) scattering = makeScattering(device, plan);
+    if (plan.opaque) opaque = makeOpaque(device, plan);
+}
+
+void Media::bind() const {
+    if (absorption.name() != 0) absorption.bindSampler(kAbsorptionUnit);
+    if (scattering.name() != 0) scattering.bindSampler(kScatteringUnit);
+    if (opaque.name() != 0) opaque.bindSampler(kOpaqueUnit);
 }
 
 } // namespace eikonal::lightsim

@@ -7,13 +7,14 @@
 
 namespace eikonal::lightsim {
 
-/// σ_a per voxel [1/voxel]; of a grey medium (σ_a, σ_s).
-gpu::Texture makeAbsorption(gpu::Device& device, const Plan& plan);
+/// Textures per voxel; none of sharp boundaries, whose regions know their coefficients.
+struct Media {
+    gpu::Texture absorption; ///< σ_a [1/voxel]; of a grey medium (σ_a, σ_s)
+    gpu::Texture scattering; ///< σ_s of a coloured medium [1/voxel]
+    gpu::Texture opaque;     ///< 1 where opacity exceeds ½, else 0
 
-/// σ_s per voxel [1/voxel], of a coloured medium.
-gpu::Texture makeScattering(gpu::Device& device, const Plan& plan);
-
-/// 1 where opacity exceeds ½, else 0.
-gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan);
+    Media(gpu::Device& device, const Plan& plan);
+    void bind() const;
+};
 
 } // namespace eikonal::lightsim

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/photons.h"
 
-#include "lightsim/media.h"
-#include "lightsim/octree.h"
+#include <utility>
 
 namespace eikonal::lightsim {
 
@@ -38,15 +37,10 @@ void Photons::fit(gpu::Device& device, const glm::ivec2& batch) {
     if (count.bytes() == 0) count = gpu::Buffer(device, 16);
 }
 
-PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params)
+PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params,
+                           Media media, gpu::Texture leaves)
     : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params)),
-      mBlock(device, sizeof(PhotonParams)) {
-    if (!plan.scene.sharp) {
-        if (plan.attenuates) mAbsorption = makeAbsorption(device, plan);
-        if (plan.attenuates && plan.colour) mScattering = makeScattering(device, plan);
-        if (plan.opaque) mOpaque = makeOpaque(device, plan);
-    }
-    if (plan.usesOctree()) mLeaves = makeOctree(device, plan, params);
+      mMedia(std::move(media)), mLeaves(std::move(leaves)), mBlock(device, sizeof(PhotonParams)) {
     mParams.size = ivec4(plan.scene.size(), static_cast<int>(plan.voxels()));
     mParams.list = uvec4(0, kStepsPerRun, params.maxSteps, 0);
     mParams.depth = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
@@ -71,12 +65,8 @@ std::uint32_t PhotonTracer::run(gpu::Device& device, const scene::Transport& tra
     photons.list.bindStorage(kListBuffer);
     photons.nextList.bindStorage(kNextListBuffer);
     transport.bind();
-    const std::pair<const gpu::Texture*, unsigned> textures[] = {{&mLeaves, kLeavesUnit},
-                                                                 {&mAbsorption, kAbsorptionUnit},
-                                                                 {&mScattering, kScatteringUnit},
-                                                                 {&mOpaque, kOpaqueUnit}};
-    for (const auto& [texture, place] : textures)
-        if (texture->name() != 0) texture->bindSampler(place);
+    mMedia.bind();
+    if (mLeaves.name() != 0) mLeaves.bindSampler(kLeavesUnit);
     mProgram.dispatch({static_cast<int>(count), 1, 1});
     gpu::barrier();
     device.check("photons");

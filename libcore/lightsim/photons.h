@@ -4,6 +4,7 @@
 
 #include "gpu/program.h"
 #include "gpu/resources.h"
+#include "lightsim/media.h"
 #include "lightsim/plan.h"
 #include "lightsim/shared.h"
 #include "scene/transport.h"
@@ -26,7 +27,9 @@ struct Photons {
 /// Traces photons by runs of steps, thinning the list in between.
 class PhotonTracer {
 public:
-    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params);
+    /// Steps are as long as `leaves`, the octree, let them be (none where nothing varies).
+    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params, Media media,
+                 gpu::Texture leaves);
 
     /// What tells a batch's photons from those of others, beside their pixels.
     void begin(const glm::dvec3& colour, unsigned batch);
@@ -40,7 +43,8 @@ public:
 
 private:
     gpu::Program mProgram;
-    gpu::Texture mLeaves, mAbsorption, mScattering, mOpaque;
+    Media mMedia;
+    gpu::Texture mLeaves;
     gpu::Buffer mBlock;
     PhotonParams mParams{};
 };

@@ -167,10 +167,16 @@ std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
 }
 
 Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
-           const std::optional<image::Image>& map)
-    : mProgram(device, "view/trace.comp.glsl", switchesOf(plan, params)),
-      mTransport(device, plan.scene, params, stepsOf(plan, params)), mMedia(device, plan),
-      mMap(makeMap(device, map)), mBlock(device, sizeof(ViewParams)), mWidth(params.camera.width) {
+           const std::optional<image::Image>& map, gpu::Profiler& profiler)
+    : mBlock(device, sizeof(ViewParams)), mWidth(params.camera.width) {
+    profiler.begin("shaders");
+    mProgram = gpu::Program(device, "view/trace.comp.glsl", switchesOf(plan, params));
+    profiler.end();
+    profiler.begin("medium");
+    mTransport = scene::Transport(device, plan.scene, params, stepsOf(plan, params));
+    mMedia = Media(device, plan);
+    mMap = makeMap(device, map);
+    profiler.end();
     const scene::Scene& scene = plan.scene;
     const Camera& camera = params.camera;
     const double h = scene.voxelSize(), step = stepOf(plan, params);

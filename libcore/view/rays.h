@@ -13,6 +13,7 @@ namespace eikonal::view {
 struct Media {
     gpu::Texture extinction, source, direction, emission, opacity, fluence;
 
+    Media() = default;
     Media(gpu::Device& device, const Plan& plan);
     void bind() const;
 };
@@ -22,8 +23,9 @@ std::vector<gpu::Need> mediaNeeds(const Plan& plan);
 
 class Rays {
 public:
+    /// Times its programs as the pass "shaders", what it uploads as "medium".
     Rays(gpu::Device& device, const Plan& plan, const Params& params,
-         const std::optional<image::Image>& map);
+         const std::optional<image::Image>& map, gpu::Profiler& profiler);
 
     /// Traces one ray of each pixel of a strip: `rows` rows from `row` on. `place` is where in its
     /// pixel it goes, `weight` its share of the pixel's colour and, w, coverage. The first of a

@@ -38,10 +38,8 @@ image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const Progress& progress) {
     device.requireFit(needsOf(plan, params));
     gpu::Profiler profiler(stats);
-    profiler.begin("set up");
-    Rays rays(device, plan, params, map);
+    Rays rays(device, plan, params, map, profiler);
     Picture picture(device, plan, params);
-    profiler.end();
     const std::vector<optics::Band> bands = optics::wholeLight();
     rays.bind();
     picture.bind();
