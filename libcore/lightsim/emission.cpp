@@ -49,8 +49,8 @@ std::vector<Batch> batchesOf(const Window& window) {
 Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
     : mMapProgram(device, "lightsim/map.vert.glsl", "lightsim/map.frag.glsl", {}),
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
-      mBlock(device, sizeof(EmissionParams)),
-      mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5}, mTarget(mDomain), mSeed(params.seed) {
+      mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
+      mTarget(mDomain), mSeed(params.seed) {
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
         corners = trianglesOf(mDomain);

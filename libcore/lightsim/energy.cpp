@@ -21,9 +21,9 @@ EnergyMeter::EnergyMeter(gpu::Device& device)
 
 BatchEnergy EnergyMeter::sum(const scene::Transport& transport, const Photons& photons) {
     PhotonParams values{};
-    values.list = uvec4(0, kItems, 0,
-                        static_cast<unsigned>(photons.pixels.x) *
-                            static_cast<unsigned>(photons.pixels.y));
+    values.list =
+        uvec4(0, kItems, 0,
+              static_cast<unsigned>(photons.pixels.x) * static_cast<unsigned>(photons.pixels.y));
     mBlock.upload(&values, sizeof values);
     mBlock.bindUniform(kParamsBlock);
     transport.bind();

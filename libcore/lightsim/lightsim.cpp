@@ -19,8 +19,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 /// Times what `work` does on the device under that name.
-template<typename Work>
-auto timed(gpu::Profiler& profiler, const char* name, const Work& work) {
+template<typename Work> auto timed(gpu::Profiler& profiler, const char* name, const Work& work) {
     profiler.begin(name);
     auto result = work();
     profiler.end();

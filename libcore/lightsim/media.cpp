@@ -18,19 +18,21 @@ gpu::Texture makeAbsorption(gpu::Device& device, const Plan& plan) {
                                      out[0] = medium.absorption.at(i, 0) * h;
                                      out[1] = medium.scattering.at(i, 0) * h;
                                  });
-    return scene::makePadded(
-        device, plan.scene.size(), gpu::TexelFormat::rgba32f, true, [&](size_t i, float* out) {
-            for (int c = 0; c < 3; ++c) out[c] = medium.absorption.at(i, c) * h;
-        });
+    return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rgba32f, true,
+                             [&](size_t i, float* out) {
+                                 for (int c = 0; c < 3; ++c)
+                                     out[c] = medium.absorption.at(i, c) * h;
+                             });
 }
 
 gpu::Texture makeScattering(gpu::Device& device, const Plan& plan) {
     const scene::Region& medium = plan.scene.medium();
     const auto h = static_cast<float>(plan.scene.voxelSize());
-    return scene::makePadded(
-        device, plan.scene.size(), gpu::TexelFormat::rgba32f, true, [&](size_t i, float* out) {
-            for (int c = 0; c < 3; ++c) out[c] = medium.scattering.at(i, c) * h;
-        });
+    return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rgba32f, true,
+                             [&](size_t i, float* out) {
+                                 for (int c = 0; c < 3; ++c)
+                                     out[c] = medium.scattering.at(i, c) * h;
+                             });
 }
 
 gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {

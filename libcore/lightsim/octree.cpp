@@ -64,7 +64,8 @@ gpu::Texture makeOctree(gpu::Device& device, const Plan& plan, const Params& par
         return gpu::Buffer(device, static_cast<std::int64_t>(values.size() * sizeof(float)),
                            values.data());
     };
-    const gpu::Buffer index = upload(plan.bends ? plan.scene.index.grid.values : std::vector<float>());
+    const gpu::Buffer index =
+        upload(plan.bends ? plan.scene.index.grid.values : std::vector<float>());
     const gpu::Buffer dimming = upload(extinction);
     const gpu::Buffer pyramid(device, (std::int64_t{levels.back().w} + 1) * 16);
     const gpu::Buffer table(device, static_cast<std::int64_t>(levels.size() * sizeof(ivec4)),

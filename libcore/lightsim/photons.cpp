@@ -29,16 +29,16 @@ void Photons::fit(gpu::Device& device, const glm::ivec2& batch) {
     const std::int64_t all = std::int64_t{batch.x} * batch.y;
     map = gpu::Texture(); // freed before the next is allocated
     for (gpu::Buffer* buffer : {&slots, &list, &nextList}) *buffer = gpu::Buffer();
-    map = gpu::Texture(device, glm::ivec3(batch, 0), gpu::TexelFormat::rgba32f,
-                       gpu::Filter::nearest);
+    map =
+        gpu::Texture(device, glm::ivec3(batch, 0), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     slots = gpu::Buffer(device, all * static_cast<std::int64_t>(sizeof(Photon)));
     list = gpu::Buffer(device, all * 4);
     nextList = gpu::Buffer(device, all * 4);
     if (count.bytes() == 0) count = gpu::Buffer(device, 16);
 }
 
-PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params,
-                           Media media, gpu::Texture leaves)
+PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params, Media media,
+                           gpu::Texture leaves)
     : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params)),
       mMedia(std::move(media)), mLeaves(std::move(leaves)), mBlock(device, sizeof(PhotonParams)) {
     mParams.size = ivec4(plan.scene.size(), static_cast<int>(plan.voxels()));

@@ -80,11 +80,11 @@ void listEffects(Plan& plan, const Params& params) {
     add(named("absorption"));
     add(named("scattering"));
     add({"colour", runs && plan.colour,
-         plan.colour        ? (sharp ? "coefficients or mirrors differ by wavelength"
-                                     : "coefficients differ by wavelength")
-         : sharp            ? "media and mirrors are grey"
+         plan.colour       ? (sharp ? "coefficients or mirrors differ by wavelength"
+                                    : "coefficients differ by wavelength")
+         : sharp           ? "media and mirrors are grey"
          : plan.attenuates ? "the medium is grey"
-                            : "nothing absorbs or scatters"});
+                           : "nothing absorbs or scatters"});
     add(named("opaque"));
     if (plan.scene.disperses) add(named("dispersion"));
 }

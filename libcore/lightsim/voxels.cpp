@@ -23,9 +23,9 @@ VoxelReceiver::VoxelReceiver(gpu::Device& device, const Plan& plan, const Params
       mBlock(device, sizeof(ResolveParams)), mSize(plan.scene.size()),
       mVoxelSize(plan.scene.voxelSize()) {
     if (params.smoothing > 0)
-        mSmooth = gpu::Program(device, "lightsim/smooth.comp.glsl",
-                               {{"FLUENCE", plan.fluenceChannels()},
-                                {"DIRECTION", plan.wants(Output::direction)}});
+        mSmooth = gpu::Program(
+            device, "lightsim/smooth.comp.glsl",
+            {{"FLUENCE", plan.fluenceChannels()}, {"DIRECTION", plan.wants(Output::direction)}});
     const std::int64_t bytes = plan.voxels() * 4;
     const int totals = plan.fluenceChannels() + plan.directionChannels();
     for (int i = 0; i < plan.planes(); ++i) mPlanes.emplace_back(device, bytes);
@@ -43,8 +43,7 @@ void VoxelReceiver::clearPlanes() {
     for (gpu::Buffer& plane : mPlanes) plane.clear();
 }
 
-void VoxelReceiver::resolve(gpu::Device& device, const glm::dvec3& rgb, double power,
-                            double unit) {
+void VoxelReceiver::resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit) {
     // Track-length estimate: power × path length / voxel volume. [1/m² per unit of fixed point]
     const double share = power / (mVoxelSize * mVoxelSize) / unit;
     const double all = rgb.x + rgb.y + rgb.z;

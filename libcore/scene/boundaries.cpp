@@ -29,8 +29,8 @@ size_t placeOf(ivec3 size, int x, int y, int z) {
     return (static_cast<size_t>(z) * size.y + y) * size.x + x;
 }
 
-/// Texels of an object: texel (x, y, z) holds coefficients x − 2 … x + 1 of row (y − 2, z − 2), from
-/// the first voxel of its box on.
+/// Texels of an object: texel (x, y, z) holds coefficients x − 2 … x + 1 of row (y − 2, z − 2),
+/// from the first voxel of its box on.
 ivec3 texelsOf(const Object& object) {
     return object.box.size() + ivec3(1, 4, 4);
 }
@@ -46,8 +46,7 @@ ivec3 texelsOf(const Scene& scene) {
 }
 
 gpu::Texture makeDistances(gpu::Device& device, const Scene& scene) {
-    gpu::Texture texture(device, texelsOf(scene), gpu::TexelFormat::rgba32f,
-                         gpu::Filter::nearest);
+    gpu::Texture texture(device, texelsOf(scene), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     const ivec3 all = texture.size();
     int slice = 0;
     for (const Object& object : scene.objects) {
@@ -191,7 +190,8 @@ Blocks farBlocks(ivec3 size, const std::vector<float>& nearest) {
 } // namespace
 
 std::vector<float> coefficientsOf(const Object& object) {
-    // Beyond its box an object's distances go on linearly: it ends there only where the domain does.
+    // Beyond its box an object's distances go on linearly: it ends there only where the domain
+    // does.
     const ivec3 size = object.box.size(), outer = size + 2 * kSplineMargin;
     std::vector<float> values(placeOf(outer, 0, 0, outer.z));
     const auto sample = [&](ivec3 p) {
@@ -279,18 +279,19 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
     int slice = 0;
     for (size_t k = 0; k < scene.objects.size(); ++k) {
         const Object& object = scene.objects[k];
-        values.objects[k] = {vec4(vec3(object.box.min), slice), vec4(vec3(object.box.size() - 1), 0)};
+        values.objects[k] = {vec4(vec3(object.box.min), slice),
+                             vec4(vec3(object.box.size() - 1), 0)};
         slice += texelsOf(object).z;
     }
     const auto h = static_cast<float>(scene.voxelSize());
     const ivec3 page = scene.size() + 2;
     int pages = 0;
-    values.page = vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.varyingRegions(), 1)), 0);
+    values.page =
+        vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.varyingRegions(), 1)), 0);
     for (size_t r = 0; r < scene.regions.size(); ++r) {
         const Region& region = scene.regions[r];
         const bool varies = region.coefficientsVary();
-        values.regions[r] =
-            paramsOf(region, h, varies ? static_cast<float>(page.z * pages++) : -1);
+        values.regions[r] = paramsOf(region, h, varies ? static_cast<float>(page.z * pages++) : -1);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
     if (pages > 0) makeCoefficients(device, scene, h);
@@ -307,11 +308,10 @@ void Boundaries::makeCoefficients(gpu::Device& device, const Scene& scene, float
     const auto rgb = [h](const Values& values, size_t voxel, float* out) {
         for (int c = 0; c < 3; ++c) out[c] = values.at(voxel, c) * h;
     };
-    mCoefficients[0] =
-        makePages(device, scene, false, [&](const Region& r, size_t i, float* out) {
-            rgb(r.absorption, i, out);
-            out[3] = r.anisotropy.at(i, 0);
-        });
+    mCoefficients[0] = makePages(device, scene, false, [&](const Region& r, size_t i, float* out) {
+        rgb(r.absorption, i, out);
+        out[3] = r.anisotropy.at(i, 0);
+    });
     mCoefficients[1] = makePages(device, scene, true, [&](const Region& r, size_t i, float* out) {
         rgb(r.scattering, i, out);
     });

@@ -55,7 +55,7 @@ Effect opaque(const Scene& scene) {
 std::vector<Effect> effectsOf(const Scene& scene, optics::Boundary boundary) {
     std::vector<Effect> effects;
     effects.push_back({"sharp_boundaries", scene.sharp,
-                       scene.sharp                               ? "grid 'sdf'"
+                       scene.sharp                             ? "grid 'sdf'"
                        : boundary == optics::Boundary::blurred ? "--boundary blurred"
                                                                : "no grid 'sdf'"});
     effects.push_back(refraction(scene));
@@ -84,8 +84,8 @@ std::vector<std::string> warningsOf(const Scene& scene) {
     const float kSteep = 1.2f; // noise and creases stay below
     for (size_t k = 0; k < scene.objects.size(); ++k)
         if (scene.objects[k].slope > kSteep)
-            warnings.push_back("the signed distance of '" + scene.regions[k].name +
-                               "' grows by " + toText(std::round(scene.objects[k].slope * 100) / 100) +
+            warnings.push_back("the signed distance of '" + scene.regions[k].name + "' grows by " +
+                               toText(std::round(scene.objects[k].slope * 100) / 100) +
                                " a voxel, expected 1: rays may leap over its boundary");
     if (scene.index.jumpAtFaces > 1e-3f)
         warnings.push_back("the index jumps by " + toText(scene.index.jumpAtFaces) +
@@ -95,8 +95,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
 
 std::string sizeText(const Scene& scene) {
     const glm::ivec3 size = scene.size();
-    return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
-           std::to_string(size.z);
+    return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
 }
 
 } // namespace eikonal::scene

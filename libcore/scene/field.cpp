@@ -75,8 +75,8 @@ Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOpt
         mTexture = makeCubic(device, stepped);
         const float least = *std::min_element(index.values.begin(), index.values.end());
         const double zero = own.squareAtZero, floor = static_cast<double>(least * least) / 16;
-        values.cubic = vec4(std::sqrt(zero), options.verletTau * options.verletTau / 12,
-                            floor - zero, 0);
+        values.cubic =
+            vec4(std::sqrt(zero), options.verletTau * options.verletTau / 12, floor - zero, 0);
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
 }

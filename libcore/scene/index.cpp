@@ -62,8 +62,9 @@ Index varyingIndex(const Scene& scene) {
     }
     if (!medium.index.varies()) return index;
     if (!nearest.empty())
-        throw DataError(scene.path + ": the index varies in an object and in what surrounds it, expected "
-                               "it to vary on one side of sharp boundaries");
+        throw DataError(scene.path +
+                        ": the index varies in an object and in what surrounds it, expected "
+                        "it to vary on one side of sharp boundaries");
     index.grid = medium.index.grid;
     const auto [least, most] =
         std::minmax_element(index.grid.values.begin(), index.grid.values.end());

@@ -22,7 +22,6 @@ public:
     /// Where an object is, and round it; all of the domain if there is none.
     Mask(ivec3 size, const Object* object) : mSize(size), mObject(object) {}
 
-
     template<typename Visit> void forEach(const Visit& visit) const {
         const volume::IndexBox box = mObject ? mObject->box : volume::IndexBox{ivec3(0), mSize - 1};
         size_t i = 0;

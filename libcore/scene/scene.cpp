@@ -125,9 +125,9 @@ bool Scene::showsLight() const {
 }
 
 int Scene::varyingRegions() const {
-    return static_cast<int>(
-        std::count_if(regions.begin(), regions.end(),
-                      [](const Region& region) { return region.coefficientsVary(); }));
+    return static_cast<int>(std::count_if(regions.begin(), regions.end(), [](const Region& region) {
+        return region.coefficientsVary();
+    }));
 }
 
 Scene read(const Files& files, const Wanted& wanted) {

@@ -40,9 +40,9 @@ struct Scene {
     volume::Frame frame;
     volume::IndexBox domain;
     bool sharp = false;
-    bool disperses = false;       ///< some file has a grid 'dispersion'
-    std::vector<Object> objects;  ///< sharp boundaries alone
-    std::vector<Region> regions;  ///< of each object, then of what surrounds them
+    bool disperses = false;      ///< some file has a grid 'dispersion'
+    std::vector<Object> objects; ///< sharp boundaries alone
+    std::vector<Region> regions; ///< of each object, then of what surrounds them
     Index index;
     Light light;
 
@@ -75,8 +75,8 @@ struct Wanted {
     bool light = false;
 };
 
-/// Reads a scene. A grid of coefficients comes from the first file that has it, the light is the sum
-/// of all. A region's grid varies only where that can be seen: of an object within it and three
+/// Reads a scene. A grid of coefficients comes from the first file that has it, the light is the
+/// sum of all. A region's grid varies only where that can be seen: of an object within it and three
 /// voxels round it. Throws DataError for more objects than are traced, for grids that vary in a way
 /// that is not, and where sharp boundaries are asked for and no file has any.
 Scene read(const Files& files, const Wanted& wanted);

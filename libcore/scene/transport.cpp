@@ -38,13 +38,12 @@ std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing&
 Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Tracing& tracing,
                      const StepLengths& steps)
     : mSharp(scene.sharp) {
-    const bool fitted = steps.equal && tracing.integrator == optics::Integrator::verlet &&
-                        tracing.unbiased();
-    mField = scene.index.varies()
-                 ? Field(device, scene.index.grid,
-                         {tracing.sampling(), tracing.unbiased(),
-                          fitted ? tauOf(scene, steps.longest) : 0})
-                 : Field(device, scene.index.least);
+    const bool fitted =
+        steps.equal && tracing.integrator == optics::Integrator::verlet && tracing.unbiased();
+    mField = scene.index.varies() ? Field(device, scene.index.grid,
+                                          {tracing.sampling(), tracing.unbiased(),
+                                           fitted ? tauOf(scene, steps.longest) : 0})
+                                  : Field(device, scene.index.least);
     if (scene.sharp) mBoundaries = Boundaries(device, scene);
     TransportParams values{};
     values.halfSize = vec4(0.5f * glm::vec3(scene.size()), 0);

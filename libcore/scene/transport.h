@@ -11,10 +11,10 @@ namespace eikonal::scene {
 
 /// How long an engine's steps may be.
 struct StepLengths {
-    double longest = 1e6;  ///< [voxel]
+    double longest = 1e6;   ///< [voxel]
     double shortest = 1e-3; ///< adaptive: floats hold no position much better [voxel]
-    double first = 1e6;    ///< adaptive [voxel]
-    bool equal = false;    ///< Verlet's are all of the longest, so that the field is made for them
+    double first = 1e6;     ///< adaptive [voxel]
+    bool equal = false;     ///< Verlet's are all of the longest, so that the field is made for them
 };
 
 /// The switches INTEGRATOR, FIELD, OBJECTS, VARIES, OPAQUE of every kernel that traces.

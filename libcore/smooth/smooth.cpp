@@ -22,7 +22,6 @@ using gpu::Buffer;
 #include "shared/smooth_params.h"
 static_assert(sizeof(SmoothParams) == 48);
 
-
 /// How the kernel walks a box of `size` voxels along `axis`.
 SmoothParams walk(ivec3 size, int axis, int radius) {
     const int runs = (size[axis] + kOutputs - 1) / kOutputs;

@@ -30,8 +30,7 @@ void tellBackground(ViewParams& values, const scene::Scene& scene, const Params&
     glm::dmat3 mapFromWorld(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0,
                             std::cos(angle));
     // A Z-up map's pole +Z is the map's +Y; its +X stays.
-    if (params.environmentZUp)
-        mapFromWorld = mapFromWorld * glm::dmat3(1, 0, 0, 0, 0, -1, 0, 1, 0);
+    if (params.environmentZUp) mapFromWorld = mapFromWorld * glm::dmat3(1, 0, 0, 0, 0, -1, 0, 1, 0);
     const glm::dmat3 rows = glm::transpose(mapFromWorld * scene.worldFromVoxelTurn());
     values.mapFromVoxel0 = vec4(rows[0], 0);
     values.mapFromVoxel1 = vec4(rows[1], 0);

@@ -19,7 +19,8 @@ using glm::dvec4;
 void Camera::check() const {
     const int kMostPixels = 1 << 17; // EXR readers stop well before this
     requireOption(width >= 1 && rows >= 1 && width <= kMostPixels && rows <= kMostPixels, "--size",
-                  std::to_string(width) + "x" + std::to_string(rows), "1 to 131072 pixels each way");
+                  std::to_string(width) + "x" + std::to_string(rows),
+                  "1 to 131072 pixels each way");
     const double kFar = 1e18; // [unit]; squares stay finite
     for (const dvec3& point : {eye, target, up})
         requireOption(std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= kFar,

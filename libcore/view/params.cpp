@@ -13,19 +13,21 @@ namespace eikonal::view {
 void Params::check() const {
     camera.check();
     Tracing::check("--tolerance");
-    requireOption(maxDepth >= 0 && maxDepth <= 64, "--max-depth", std::to_string(maxDepth), "0 to 64");
-    requireOption(samples >= 1 && samples <= 4096, "--samples", std::to_string(samples), "1 to 4096");
+    requireOption(maxDepth >= 0 && maxDepth <= 64, "--max-depth", std::to_string(maxDepth),
+                  "0 to 64");
+    requireOption(samples >= 1 && samples <= 4096, "--samples", std::to_string(samples),
+                  "1 to 4096");
     requireOption(maxSteps >= 0, "--max-steps", std::to_string(maxSteps), "0 or more");
     requireOption(background.x >= 0 && background.y >= 0 && background.z >= 0, "--background",
-            "a radiance below 0", "0 or more");
+                  "a radiance below 0", "0 or more");
     requireOption(std::isfinite(environmentTurn), "--env-rotate", toText(environmentTurn),
-            "a number of degrees");
+                  "a number of degrees");
     for (const std::string& name : aovs)
         requireOption(std::count(allAovs().begin(), allAovs().end(), name) == 1, "--aov",
-                "'" + name + "'", "one of " + join(allAovs(), ", "));
+                      "'" + name + "'", "one of " + join(allAovs(), ", "));
     for (const std::string& name : aovs)
-        requireOption(std::count(aovs.begin(), aovs.end(), name) == 1, "--aov", "'" + name + "' twice",
-                "each name once");
+        requireOption(std::count(aovs.begin(), aovs.end(), name) == 1, "--aov",
+                      "'" + name + "' twice", "each name once");
 }
 
 } // namespace eikonal::view

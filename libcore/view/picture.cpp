@@ -23,8 +23,8 @@ struct Places {
 
     Places(const Plan& plan, const Camera& camera)
         : worldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
-          turn(plan.scene.worldFromVoxelTurn()), voxelSize(plan.scene.voxelSize()),
-          eye(camera.eye), forward(axesOf(camera).forward) {}
+          turn(plan.scene.worldFromVoxelTurn()), voxelSize(plan.scene.voxelSize()), eye(camera.eye),
+          forward(axesOf(camera).forward) {}
 
     dvec3 placeOf(const PixelPath& path) const {
         return dvec3(worldFromVoxel * glm::dvec4(dvec3(path.place), 1.0));
@@ -55,8 +55,7 @@ constexpr Aov kAovTable[] = {
      [](const PixelPath& path, const Places& places) {
          return dvec3(static_cast<double>(path.direction.w) * places.voxelSize);
      }},
-    {"steps", "",
-     [](const PixelPath& path, const Places&) { return dvec3(path.through.w); }},
+    {"steps", "", [](const PixelPath& path, const Places&) { return dvec3(path.through.w); }},
     {"Z", "",
      [](const PixelPath& path, const Places& places) {
          return dvec3(glm::dot(places.placeOf(path) - places.eye, places.forward));

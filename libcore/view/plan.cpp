@@ -29,23 +29,24 @@ void listEffects(Plan& plan, const Params& params) {
          scattering.on && !plan.lit() ? dimmer + " only dims: no grid 'fluence', or 0 everywhere"
                                       : scattering.why});
     add({"phase_function", plan.anisotropic,
-         !plan.scatters                        ? "nothing is scattered"
-         : !anisotropy.on                           ? (scene.sharp ? "nothing has anisotropy" : anisotropy.why)
+         !plan.scatters   ? "nothing is scattered"
+         : !anisotropy.on ? (scene.sharp ? "nothing has anisotropy" : anisotropy.why)
          : scene.light.direction.isZero() ? "no grid 'light_direction', or 0 everywhere"
-                                               : anisotropy.why});
+                                          : anisotropy.why});
     add(named("emission"));
     add(named("opaque"));
     add({"colour", plan.colour,
          plan.colour ? "coefficients or light differ by wavelength" : "medium and light are grey"});
     const bool glows = params.background != glm::dvec3(0);
     add({"environment", plan.map || glows,
-         plan.map ? "--env" : glows ? "--background" : "neither --env nor --background"});
+         plan.map ? "--env"
+         : glows  ? "--background"
+                  : "neither --env nor --background"});
     add({"aovs", !params.aovs.empty(), params.aovs.empty() ? "no --aov" : "--aov"});
     if (scene.disperses) add(named("dispersion"));
     plan.warnings = scene::warningsOf(scene);
     if (scattering.on && !plan.lit())
-        plan.warnings.push_back(scene.path +
-                                " scatters light but holds none: run lightsim first");
+        plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
 }
 
 } // namespace
@@ -63,8 +64,8 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     plan.emits = scene.anyHas(&Region::emission);
     plan.opaque = scene.anyOpaque();
     plan.scatters = scene.anyHas(&Region::scattering) && plan.lit();
-    plan.anisotropic = plan.scatters && scene.anyHas(&Region::anisotropy) &&
-                 !scene.light.direction.isZero();
+    plan.anisotropic =
+        plan.scatters && scene.anyHas(&Region::anisotropy) && !scene.light.direction.isZero();
     plan.colour =
         scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
         (scene.sharp && scene.anyColoured({&Region::reflectance})) ||

@@ -39,7 +39,8 @@ scene::StepLengths stepsOf(const Plan& plan, const Params& params) {
 }
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
-    // Blurred, emission is part of the source unless scattering prefers a direction, as it does not.
+    // Blurred, emission is part of the source unless scattering prefers a direction, as it does
+    // not.
     const bool sharp = plan.scene.sharp;
     const bool glows = plan.scatters || (plan.emits && !sharp);
     const auto depth = static_cast<unsigned>(std::max(params.maxDepth, 1));
@@ -72,8 +73,8 @@ Texture makeDirection(gpu::Device& device, const Plan& plan) {
     const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()));
     const scene::Values& direction = plan.scene.light.direction;
     return padded(device, plan, TexelFormat::rgba32f, false, [&](size_t i, float* out) {
-        const glm::vec3 d = voxelFromWorld *
-                            glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2));
+        const glm::vec3 d =
+            voxelFromWorld * glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2));
         out[0] = d.x;
         out[1] = d.y;
         out[2] = d.z;
@@ -96,7 +97,8 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
     const auto sigma = [&](size_t i, int c) {
         return (medium.absorption.at(i, c) + medium.scattering.at(i, c)) * h;
     };
-    // Radiance gained per voxel of length; the phase function and emission come later where scattering prefers a direction.
+    // Radiance gained per voxel of length; the phase function and emission come later where
+    // scattering prefers a direction.
     const auto source = [&](size_t i, int c) {
         const float scattered =
             plan.scatters ? medium.scattering.at(i, c) * plan.scene.light.fluence.at(i, c) * h : 0;
@@ -118,7 +120,8 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
     } else if (plan.dims) {
         media.extinction = pack(1, TexelFormat::r32f, sigma);
     }
-    if (plan.anisotropic && plan.emits) media.emission = paddedRgb(device, plan, medium.emission, h);
+    if (plan.anisotropic && plan.emits)
+        media.emission = paddedRgb(device, plan, medium.emission, h);
     if (plan.opaque)
         media.opacity = padded(device, plan, TexelFormat::rgba32f, true, [&](size_t i, float* out) {
             out[0] = medium.opacity.at(i, 0);
@@ -157,8 +160,7 @@ std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
     };
     if (blurred && plan.gathers())
         texture("the medium", plan.colour ? 16 : plan.scatters || plan.emits ? 8 : 4);
-    if (blurred && plan.colour && (plan.scatters || plan.emits))
-        texture("the scattered light", 16);
+    if (blurred && plan.colour && (plan.scatters || plan.emits)) texture("the scattered light", 16);
     if (blurred && plan.anisotropic && plan.emits) texture("the emission", 16);
     if (blurred && plan.opaque) texture("the opaque surfaces", 16);
     if (plan.lit() && (!blurred || plan.opaque)) texture("the light", 16);
@@ -185,7 +187,8 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
                              : step;
     const glm::ivec3 size = scene.size();
     const int crossings = static_cast<int>(16.0 * (size.x + size.y + size.z) / usual) + 1024;
-    mValues.limits = ivec4(params.maxSteps > 0 ? params.maxSteps : crossings, params.maxDepth, 0, 0);
+    mValues.limits =
+        ivec4(params.maxSteps > 0 ? params.maxSteps : crossings, params.maxDepth, 0, 0);
     const float outside = scene.index.background;
     mValues.medium = vec4(outside, kLeastThroughput, plan.lit(), 1 / (outside * outside));
     const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();

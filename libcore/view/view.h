@@ -19,10 +19,10 @@ namespace eikonal::view {
 /// The scene as viewing rays meet it, and which effects are worth simulating.
 struct Plan {
     scene::Scene scene;
-    bool bends = false;    ///< index or boundaries turn rays
-    bool dims = false;     ///< something absorbs or scatters
-    bool colour = false;   ///< coefficients or light differ by wavelength
-    bool scatters = false; ///< there is light, and something scatters it
+    bool bends = false;       ///< index or boundaries turn rays
+    bool dims = false;        ///< something absorbs or scatters
+    bool colour = false;      ///< coefficients or light differ by wavelength
+    bool scatters = false;    ///< there is light, and something scatters it
     bool anisotropic = false; ///< scattering prefers a direction
     bool emits = false;
     bool opaque = false;

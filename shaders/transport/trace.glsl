@@ -192,10 +192,35 @@ void alongStep(inout Path path, inout Load load, int region, Step made, float ta
     }
 }
 
+// How a step ends: as it was made, on a face, or on an interface.
+const int kOn = 0, kLands = 1, kHits = 2;
+
+// Whether a step's interpolant comes to an interface or a face, and after what share of it.
+int endingOf(inout Path path, Step made, float tau, inout float share, inout Hit hit) {
+    int ending = kOn;
+    if (isOutside(made.end.x)) {
+        share = shareInside(path.ray, made.end, tau);
+        ending = kLands;
+    }
+    if (kObjects > 0) {
+        Segment segment = curvedSegment(path.ray, made.end, tau);
+        if (freeOf(path) < segment.extent) {
+            hit = intersect(segment, path.objects, path.departs);
+            path.steps += hit.looks;
+            if (hit.object >= 0 && hit.s <= share * segment.extent) {
+                share = hit.s / segment.extent;
+                ending = kHits;
+            } else {
+                hit.object = -1;
+            }
+        }
+    }
+    return ending;
+}
+
 // Through a varying index to the next interface or face. A step that ends beyond either is made again,
 // as long as its interpolant stays before it.
 Hit propagateBent(inout Path path, inout Load load, int region) {
-    const int kOn = 0, kLands = 1, kHits = 2;
     const bool kRunsEqual = kRuns && kEqualSteps && kIntegrator == kVerlet;
     const bool kRunsLimited = kRuns && !kRunsEqual;
     Hit hit = noHit(0.0);
@@ -228,23 +253,7 @@ Hit propagateBent(inout Path path, inout Load load, int region) {
             }
             if (good && ending == kOn) {
                 float share = 1.0;
-                if (isOutside(made.end.x)) {
-                    share = shareInside(path.ray, made.end, tau);
-                    ending = kLands;
-                }
-                if (kObjects > 0) {
-                    Segment segment = curvedSegment(path.ray, made.end, tau);
-                    if (freeOf(path) < segment.extent) {
-                        hit = intersect(segment, path.objects, path.departs);
-                        path.steps += hit.looks;
-                        if (hit.object >= 0 && hit.s <= share * segment.extent) {
-                            share = hit.s / segment.extent;
-                            ending = kHits;
-                        } else {
-                            hit.object = -1;
-                        }
-                    }
-                }
+                ending = endingOf(path, made, tau, share, hit);
                 good = ending == kOn;
                 if (!good) next = tau * share;
             }

@@ -33,8 +33,7 @@ void addOptions(tool::Session& session, Options& o) {
         ->type_name("SPEC")
         ->required()
         ->allow_extra_args(false);
-    app.add_option("--method", o.method, "how light is carried: photons")
-        ->capture_default_str();
+    app.add_option("--method", o.method, "how light is carried: photons")->capture_default_str();
     app.add_option("--outputs", o.outputs,
                    "auto (what a render of the file needs, possibly nothing), or a list of "
                    "fluence,light_direction")
@@ -149,12 +148,11 @@ void simulate(tool::Session& session, Options& o) {
         plan = lightsim::makePlan(*volume, o.params);
     });
     if (session.explains()) {
-        session.explain(
-            plan->effects, plan->warnings,
-            {{"voxels", scene::sizeText(plan->scene)},
-             {"lights", std::to_string(o.params.lights.size())},
-             {"photons", std::to_string(o.params.photons) + " per light at most"},
-             {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
+        session.explain(plan->effects, plan->warnings,
+                        {{"voxels", scene::sizeText(plan->scene)},
+                         {"lights", std::to_string(o.params.lights.size())},
+                         {"photons", std::to_string(o.params.photons) + " per light at most"},
+                         {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
         return;
     }
     session.stats().effects = plan->effects;
@@ -165,8 +163,8 @@ void simulate(tool::Session& session, Options& o) {
         session.note("nothing in " + volume->path() +
                      " scatters or receives light: nothing to simulate");
     } else {
-        lightsim::Result result = lightsim::simulate(session.device(), *plan, o.params, session.stats(),
-                                                     session.progress());
+        lightsim::Result result = lightsim::simulate(session.device(), *plan, o.params,
+                                                     session.stats(), session.progress());
         o.tracing->warnOf(session, "photons");
         session.pass("grids", [&] {
             volume::PutOptions options;

@@ -178,18 +178,17 @@ void render(tool::Session& session, Options& o) {
         plan = view::makePlan(*files, o.params, map.has_value());
     });
     if (session.explains()) {
-        session.explain(
-            plan->effects, plan->warnings,
-            {{"voxels", scene::sizeText(plan->scene)},
-             {"picture", o.size},
-             {"tracing", plan->scene.index.varies() ? o.params.text() : "straight"}});
+        session.explain(plan->effects, plan->warnings,
+                        {{"voxels", scene::sizeText(plan->scene)},
+                         {"picture", o.size},
+                         {"tracing", plan->scene.index.varies() ? o.params.text() : "straight"}});
         return;
     }
     session.stats().effects = plan->effects;
     for (const std::string& warning : plan->warnings) session.warn(warning);
     session.outputs();
-    const image::Image picture = view::render(session.device(), *plan, o.params, map,
-                                              session.stats(), session.progress());
+    const image::Image picture =
+        view::render(session.device(), *plan, o.params, map, session.stats(), session.progress());
     o.tracing->warnOf(session, "rays");
     session.pass("write", [&] { writePictures(session, o, *files, picture); });
 }
