@@ -1,2 +1,2 @@
 # What holds for the source tree itself.
-add_test(NAME rooms COMMAND bash ${CMAKE_CURRENT_LIST_DIR}/check_rooms.sh ${PROJECT_SOURCE_DIR})
+eikonal_run(rooms COMMAND bash ${CMAKE_CURRENT_LIST_DIR}/check_rooms.sh ${PROJECT_SOURCE_DIR})
