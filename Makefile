@@ -1,5 +1,5 @@
-# The front door: make, make demo, make test, make bench, make accuracy, make effects, make docs,
-# make format, make bundle.
+# The front door: make, make demo, make test, make test-all, make bench, make accuracy, make effects,
+# make instructions, make docs, make format, make bundle.
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
@@ -10,8 +10,8 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := mesh2vol volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test bench accuracy effects docs golden format \
-        install bundle clean
+.PHONY: all packages configure demo animation test test-all bench accuracy effects instructions \
+        docs golden format install bundle clean
 
 all: configure
 	cmake --build $(BUILD) -j $(JOBS)
@@ -35,9 +35,16 @@ animation: packages
 	$(MAKE) all
 	$(MAKE) -f pipelines/turning_light.mk BIN=$(BUILD)/bin OUT=$(OUT)
 
+# In two minutes what a change most likely breaks; test-all takes some more for the long suites.
+CTEST := ctest --output-on-failure -j $(JOBS)
+
 test: packages
 	$(MAKE) all
-	cd $(BUILD) && ctest --output-on-failure --timeout 900
+	cd $(BUILD) && $(CTEST) -LE long
+
+test-all: packages
+	$(MAKE) all
+	cd $(BUILD) && $(CTEST)
 
 # Ratios within one run, in a table and in out/bench.json.
 bench: packages
@@ -56,11 +63,16 @@ accuracy: packages
 	  --page docs/accuracy.md
 	gnuplot -e "work='$(OUT)/accuracy'; docs='docs/accuracy'" pipelines/accuracy.gp
 
-# What each effect costs where it is and where it is not: docs/effects.md and out/effects.json.
+# What each effect costs, and what kernels without it leave out: docs/effects.md, out/effects.json.
 effects: packages
 	$(MAKE) all
 	mkdir -p $(OUT)
 	$(BUILD)/tests/effects --json $(OUT)/effects.json --page docs/effects.md --work $(OUT)/effects
+
+# The counts that test_effects holds kernels to, anew; look at what changed before committing.
+instructions: packages
+	$(MAKE) all
+	$(BUILD)/tests/effects --instructions tests/effects/instructions.txt --work $(OUT)/effects
 
 # docs/tools/*.md from --help, the tables of shaders/README.md from the shared headers.
 docs: all

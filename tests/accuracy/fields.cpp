@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields.h"
 
-#include "../lightsim/test_volume.h"
+#include "support/test_volume.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 // Sharp boundaries against the judge at 64³, one number a bar: directions, Fresnel's shares, what a
 // tree of reflections loses.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../sharp/glass_volume.h"
 #include "ball.h"
+#include "support/glass_volume.h"
 
 #include <array>
 #include <cmath>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "../lightsim/test_volume.h"
 #include "lightsim/lightsim.h"
 #include "rays.h"
+#include "support/test_volume.h"
 
 namespace accuracy {
 

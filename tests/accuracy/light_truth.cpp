@@ -1,7 +1,7 @@
 // Photons against paper: a slab, a point light, the caustic of a ball.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../sharp/glass_volume.h"
 #include "light.h"
+#include "support/glass_volume.h"
 
 #include <algorithm>
 

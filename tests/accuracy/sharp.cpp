@@ -1,7 +1,7 @@
 // A ball of glass, its edge blurred or sharp: what its rays are off by, and what the picture costs.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../sharp/glass_volume.h"
 #include "ball.h"
+#include "support/glass_volume.h"
 
 #include <algorithm>
 #include <memory>

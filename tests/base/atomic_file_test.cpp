@@ -3,28 +3,16 @@
 #include "base/atomic_file.h"
 
 #include "base/error.h"
-
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
+#include "support/scratch.h"
 
 using namespace eikonal;
 namespace fs = std::filesystem;
 
 namespace {
 
-class AtomicFileTest : public ::testing::Test {
+class AtomicFileTest : public ScratchTest {
 protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "eikonal-XXXXXX").string();
-        folder = ::mkdtemp(pattern.data());
-    }
-    void TearDown() override { fs::remove_all(folder); }
-    std::string at(const std::string& name) const { return (folder / name).string(); }
-    std::string read(const std::string& name) const {
-        std::ifstream in(at(name));
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    std::string read(const std::string& name) const { return bytesOf(name); }
     size_t files() const {
         return static_cast<size_t>(std::distance(fs::directory_iterator(folder), {}));
     }
@@ -38,7 +26,6 @@ protected:
         }
         return ExitStatus::done;
     }
-    fs::path folder;
 };
 
 } // namespace

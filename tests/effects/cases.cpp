@@ -156,6 +156,16 @@ void addSurface(SceneVolume& scene) {
     scene.constant("fluence", 3, dvec3(1));
 }
 
+void varyAbsorption(SceneVolume& scene) {
+    scene.add("absorption", 3, [](dvec3 p) { return kGrey * (1.0 + p); });
+}
+
+/// Beside the glass, a lit object that no light passes.
+void opaqueOther(SceneVolume& scene) {
+    scene.own("opacity", "other", 1).own("albedo", "other", 0.5f);
+    scene.constant("fluence", 3, dvec3(1));
+}
+
 double passMs(const Stats& stats, const std::string& name) {
     for (const PassTime& pass : stats.passes)
         if (pass.name == name) return pass.gpuMs;
@@ -172,17 +182,19 @@ view::Params viewParams(const Scale& scale) {
     return params;
 }
 
-Case viewCase(const std::string& name, volume::Volume volume, const view::Params& params,
-              const std::optional<image::Image>& map = {}) {
+/// The effects that a case has, by the names of bindingsOf().
+using Effects = std::vector<std::string>;
+
+Case viewCase(const std::string& name, const Effects& effects, volume::Volume volume,
+              const view::Params& params, const std::optional<image::Image>& map = {}) {
     std::vector<volume::Volume> volumes;
     volumes.push_back(std::move(volume));
     const auto scene = std::make_shared<scene::Files>(std::move(volumes));
     const auto plan = std::make_shared<view::Plan>(view::makePlan(*scene, params, map.has_value()));
-    return {name, plan->scene.sharp ? kSharpKernel : kViewKernel, false, [=](gpu::Device& device) {
+    return {name, effects, false, [=](gpu::Device& device) {
                 Stats stats;
-                image::Image picture = view::render(device, *plan, params, map, stats, {});
-                return Outcome{passMs(stats, "view"), stats.counter("steps"),
-                               std::move(picture.pixels)};
+                view::render(device, *plan, params, map, stats, {});
+                return Outcome{passMs(stats, "view"), stats.counter("steps")};
             }};
 }
 
@@ -197,16 +209,20 @@ lightsim::Params photonParams(const Scale& scale) {
     return params;
 }
 
-Case photonCase(const std::string& name, volume::Volume made, const lightsim::Params& params) {
+Case photonCase(const std::string& name, const Effects& effects, volume::Volume made,
+                const lightsim::Params& params) {
     const auto volume = std::make_shared<volume::Volume>(std::move(made));
     const auto plan = std::make_shared<lightsim::Plan>(lightsim::makePlan(*volume, params));
-    return {name, kPhotonKernel, false, [=](gpu::Device& device) {
+    return {name, effects, false, [=](gpu::Device& device) {
                 Stats stats;
-                lightsim::Result result =
-                    lightsim::simulate(device, *plan, params, stats, {});
-                return Outcome{passMs(stats, "photons"), stats.counter("steps"),
-                               std::move(result.fluence.values)};
+                lightsim::simulate(device, *plan, params, stats, {});
+                return Outcome{passMs(stats, "photons"), stats.counter("steps")};
             }};
+}
+
+lightsim::Params withDirection(lightsim::Params params) {
+    params.outputs = lightsim::Output::both;
+    return params;
 }
 
 image::Image mapOfStripes() {
@@ -237,135 +253,176 @@ template<typename Make> void addTracing(std::vector<Case>& cases, const Make& ma
     add("adaptive, cubic", Integrator::adaptive, Interpolation::cubic);
 }
 
-} // namespace
-
 std::vector<Case> viewCases(const Scale& scale) {
     const view::Params params = viewParams(scale);
     std::vector<Case> cases;
-    const auto add = [&](const char* name, const Fill& more) {
-        cases.push_back(viewCase(name, volumeOf(scale, true, more), params));
+    const auto add = [&](const char* name, Effects effects, const Fill& more) {
+        effects.push_back("refraction");
+        cases.push_back(viewCase(name, effects, volumeOf(scale, true, more), params));
     };
-    add("refraction alone", {});
-    add("absorption, grey", fill("absorption", 3, kGrey));
-    add("absorption, RGB", fill("absorption", 3, kRgb));
-    add("scattering, isotropic", addHaze);
-    add("scattering, lobes", addLobes);
-    add("emission", fill("emission", 3, kGrey));
-    add("lobes and emission", [](SceneVolume& scene) {
+    add("refraction alone", {}, {});
+    add("absorption, grey", {"medium"}, fill("absorption", 3, kGrey));
+    add("absorption, RGB", {"medium", "paths"}, fill("absorption", 3, kRgb));
+    add("scattering, isotropic", {"medium"}, addHaze);
+    add("scattering, lobes", {"medium", "lobes"}, addLobes);
+    add("emission", {"medium"}, fill("emission", 3, kGrey));
+    add("lobes and emission", {"medium", "lobes", "emission beside lobes"}, [](SceneVolume& scene) {
         addLobes(scene);
         scene.constant("emission", 3, kGrey);
     });
-    cases.push_back(viewCase("environment map", volumeOf(scale, true, {}), params, mapOfStripes()));
-    add("opaque surface", addSurface);
+    cases.push_back(viewCase("environment map", {"refraction", "environment map"},
+                             volumeOf(scale, true, {}), params, mapOfStripes()));
+    add("opaque surface", {"opaque surface"}, addSurface);
     view::Params withAovs = params;
     withAovs.aovs = view::allAovs();
-    cases.push_back(viewCase("all AOVs", volumeOf(scale, true, {}), withAovs));
+    cases.push_back(
+        viewCase("all AOVs", {"refraction", "paths"}, volumeOf(scale, true, {}), withAovs));
     addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
         view::Params changed = params;
         static_cast<optics::Tracing&>(changed) = tracing;
-        return viewCase(name, volumeOf(scale, true, {}), changed);
+        return viewCase(name, {"refraction"}, volumeOf(scale, true, {}), changed);
     });
     return cases;
 }
 
-std::vector<Case> sharpCases(const Scale& scale) {
+std::vector<Case> sharpViewCases(const Scale& scale) {
     const view::Params params = viewParams(scale);
     std::vector<Case> cases;
-    const auto add = [&](const char* name, const Fill& more) {
-        cases.push_back(viewCase(name, glassOf(scale, more), params));
+    const auto add = [&](const char* name, const Effects& effects, const Fill& more) {
+        cases.push_back(viewCase(name, effects, glassOf(scale, more), params));
     };
-    add("refraction alone", {});
-    add("absorption, grey", fill("absorption", 3, kGrey));
-    add("absorption, RGB", fill("absorption", 3, kRgb));
-    add("absorption that varies", [](SceneVolume& scene) {
-        scene.add("absorption", 3, [](dvec3 p) { return kGrey * (1.0 + p); });
-    });
-    add("scattering, isotropic", addHaze);
-    add("scattering, lobes", addLobes);
-    add("emission", fill("emission", 3, kGrey));
-    cases.push_back(viewCase("environment map", glassOf(scale, {}), params, mapOfStripes()));
-    cases.push_back(viewCase("a second object", glassBeside(scale, {}), params));
-    cases.push_back(viewCase("a second object, opaque",
-                             glassBeside(scale,
-                                         [](SceneVolume& scene) {
-                                             scene.own("opacity", "other", 1)
-                                                 .own("albedo", "other", 0.5f)
-                                                 .constant("fluence", 3, dvec3(1));
-                                         }),
-                             params));
+    add("refraction alone", {}, {});
+    add("absorption, grey", {}, fill("absorption", 3, kGrey));
+    add("absorption, RGB", {"paths"}, fill("absorption", 3, kRgb));
+    add("absorption that varies", {"paths", "absorption that varies"}, varyAbsorption);
+    add("scattering, isotropic", {"scattering"}, addHaze);
+    add("scattering, lobes", {"scattering", "lobes"}, addLobes);
+    add("emission", {}, fill("emission", 3, kGrey));
+    cases.push_back(viewCase("environment map", {"environment map"}, glassOf(scale, {}), params,
+                             mapOfStripes()));
+    cases.push_back(
+        viewCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
+    cases.push_back(viewCase("a second object, opaque", {"several objects", "opaque object"},
+                             glassBeside(scale, opaqueOther), params));
     view::Params deeper = params;
     deeper.maxDepth = 64;
-    cases.push_back(viewCase("--max-depth 64", glassOf(scale, {}), deeper));
+    cases.push_back(viewCase("--max-depth 64", {}, glassOf(scale, {}), deeper));
     view::Params withAovs = params;
     withAovs.aovs = view::allAovs();
-    cases.push_back(viewCase("all AOVs", glassOf(scale, {}), withAovs));
-    cases.push_back(viewCase("Verlet, linear", glassOf(scale, gradeIndex), params));
-    cases.back().isTracing = true;
-    addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
+    cases.push_back(viewCase("all AOVs", {"paths"}, glassOf(scale, {}), withAovs));
+    const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {
         view::Params changed = params;
         static_cast<optics::Tracing&>(changed) = tracing;
-        return viewCase(name, glassOf(scale, gradeIndex), changed);
-    });
+        return viewCase(name, {"index that varies"}, glassOf(scale, gradeIndex), changed);
+    };
+    cases.push_back(addTraced("Verlet, linear", {}));
+    cases.back().isTracing = true;
+    addTracing(cases, addTraced);
     return cases;
 }
 
 std::vector<Case> photonCases(const Scale& scale) {
     const lightsim::Params params = photonParams(scale);
     std::vector<Case> cases;
-    const auto add = [&](const char* name, const Fill& more) {
-        cases.push_back(photonCase(name, volumeOf(scale, true, more), params));
+    const auto add = [&](const char* name, Effects effects, const Fill& more) {
+        effects.push_back("refraction");
+        cases.push_back(photonCase(name, effects, volumeOf(scale, true, more), params));
     };
-    add("refraction alone", {});
-    add("absorption, grey", fill("absorption", 3, kGrey));
-    add("absorption, RGB", fill("absorption", 3, kRgb));
+    add("refraction alone", {}, {});
+    add("absorption, grey", {"medium"}, fill("absorption", 3, kGrey));
+    add("absorption, RGB", {"medium", "colour"}, fill("absorption", 3, kRgb));
     // Above ¼ along a voxel's diagonal in the corner.
     const double depth = 0.3 * scale.voxels / 2 / std::sqrt(3.0);
-    add("absorption, dense", [=](SceneVolume& scene) {
+    add("absorption, dense", {"medium"}, [=](SceneVolume& scene) {
         scene.add("absorption", 3, [=](dvec3 p) { return kGrey + inCorner(p) * depth; });
     });
-    lightsim::Params both = params;
-    both.outputs = lightsim::Output::both;
-    cases.push_back(photonCase("direction", volumeOf(scale, true, {}), both));
-    add("opaque surface", [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); });
+    cases.push_back(photonCase("direction", {"refraction", "direction"}, volumeOf(scale, true, {}),
+                               withDirection(params)));
+    add("opaque surface", {"opaque surface"},
+        [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); });
     addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
         lightsim::Params changed = params;
         changed.tracing = tracing;
-        return photonCase(name, volumeOf(scale, true, {}), changed);
+        return photonCase(name, {"refraction"}, volumeOf(scale, true, {}), changed);
     });
     return cases;
 }
 
-Case straightViewCase(const Scale& scale) {
-    return viewCase("absorption alone", volumeOf(scale, false, fill("absorption", 3, kGrey)),
-                    viewParams(scale));
+std::vector<Case> sharpPhotonCases(const Scale& scale) {
+    const lightsim::Params params = photonParams(scale);
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, const Effects& effects, const Fill& more) {
+        cases.push_back(photonCase(name, effects, glassOf(scale, more), params));
+    };
+    add("refraction alone", {}, {});
+    add("absorption, grey", {}, fill("absorption", 3, kGrey));
+    add("absorption, RGB", {"colour"}, fill("absorption", 3, kRgb));
+    add("absorption that varies", {"colour", "absorption that varies"}, varyAbsorption);
+    cases.push_back(
+        photonCase("direction", {"direction"}, glassOf(scale, {}), withDirection(params)));
+    cases.push_back(
+        photonCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
+    cases.push_back(photonCase("a second object, opaque", {"several objects"},
+                               glassBeside(scale, opaqueOther), params));
+    const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {
+        lightsim::Params changed = params;
+        changed.tracing = tracing;
+        return photonCase(name, {"index that varies"}, glassOf(scale, gradeIndex), changed);
+    };
+    cases.push_back(addTraced("Verlet, linear", {}));
+    cases.back().isTracing = true;
+    addTracing(cases, addTraced);
+    return cases;
 }
 
-Case curvedSharpCase(const Scale& scale) {
-    return viewCase("an index that varies", glassOf(scale, gradeIndex), viewParams(scale));
+bool isView(Family family) {
+    return family == Family::view || family == Family::sharpView;
 }
 
-Case straightPhotonCase(const Scale& scale) {
-    return photonCase("absorption alone", volumeOf(scale, false, fill("absorption", 3, kGrey)),
-                      photonParams(scale));
+bool isSharp(Family family) {
+    return family == Family::sharpView || family == Family::sharpPhotons;
 }
 
-Case emptyGridsCase(const Scale& scale, const std::string& kernel) {
+} // namespace
+
+std::string nameOf(Family family) {
+    return std::string(isView(family) ? "view" : "photons") + (isSharp(family) ? ", sharp" : "");
+}
+
+std::vector<Case> casesOf(Family family, const Scale& scale) {
+    switch (family) {
+    case Family::view:
+        return viewCases(scale);
+    case Family::sharpView:
+        return sharpViewCases(scale);
+    case Family::photons:
+        return photonCases(scale);
+    default:
+        return sharpPhotonCases(scale);
+    }
+}
+
+std::vector<Case> casesAndStraight(Family family, const Scale& scale) {
+    std::vector<Case> cases = casesOf(family, scale);
+    volume::Volume volume = volumeOf(scale, false, fill("absorption", 3, kGrey));
+    if (family == Family::view)
+        cases.push_back(
+            viewCase("absorption alone", {"medium"}, std::move(volume), viewParams(scale)));
+    if (family == Family::photons)
+        cases.push_back(
+            photonCase("absorption alone", {"medium"}, std::move(volume), photonParams(scale)));
+    return cases;
+}
+
+Case emptyGridsCase(Family family, const Scale& scale) {
     const auto zeros = [](SceneVolume& scene) {
         for (const char* grid : {"absorption", "scattering", "emission", "fluence"})
             scene.constant(grid, 3, dvec3(0));
         for (const char* grid : {"anisotropy", "opacity"}) scene.constant(grid, 1, dvec3(0));
     };
-    volume::Volume volume =
-        kernel == kSharpKernel ? glassOf(scale, zeros) : volumeOf(scale, true, zeros);
-    return kernel != kPhotonKernel
-               ? viewCase("empty grids", std::move(volume), viewParams(scale))
-               : photonCase("empty grids", std::move(volume), photonParams(scale));
-}
-
-std::uint64_t peakBytesOf(const Case& one) {
-    gpu::Device device(gpu::DeviceChoice{});
-    one.run(device);
-    return device.peakBytes();
+    volume::Volume volume = isSharp(family) ? glassOf(scale, zeros) : volumeOf(scale, true, zeros);
+    return isView(family) ? viewCase("empty grids", {}, std::move(volume), viewParams(scale))
+                          : photonCase("empty grids", {}, std::move(volume), photonParams(scale));
 }
 
 } // namespace effects

@@ -1,31 +1,55 @@
-// effects: what each effect costs when it is there, and when it is not; a page and JSON.
+// effects: what each effect costs, as a page and JSON; and how many instructions kernels have.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "effects.h"
+#include "counts.h"
+#include "report.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+namespace {
+
+void countInstructions(const std::string& path, const std::string& work) {
+    eikonal::gpu::Device device({eikonal::gpu::DeviceChoice::Kind::software});
+    effects::Counts counts{effects::compilerName(), {}};
+    for (const effects::Family family : effects::kFamilies)
+        for (const effects::Case& one : effects::casesAndStraight(family, effects::kSmall)) {
+            const auto module = effects::moduleOf(effects::run(one, device).variant, work);
+            if (!module) throw std::runtime_error("glslang or SPIRV-Tools are not installed");
+            counts.instructions.emplace_back(effects::nameOf(family) + ": " + one.name,
+                                             module->instructions);
+        }
+    effects::writeCounts(counts, path);
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
     effects::Scale scale;
-    std::string json, page, work;
-    int rounds = 25;
+    std::string json, page, work, instructions;
+    int rounds = 6; // prices are told to a tenth
     bool again = false;
     CLI::App app("Prices every effect.", "effects");
-    app.add_option("--json", json, "file for the results")->required();
-    app.add_option("--page", page, "file for the page")->required();
-    app.add_option("--work", work, "folder for kernels with effects cut out")->required();
-    app.add_option("--rounds", rounds, "of each comparison with a kernel cut");
+    app.add_option("--json", json, "file for the results");
+    app.add_option("--page", page, "file for the page")->needs("--json");
+    app.add_option("--work", work, "folder for kernels as SPIR-V")->required();
+    app.add_option("--rounds", rounds, "of every scene");
     app.add_option("--voxels", scale.voxels, "along an edge");
     app.add_flag("--again", again, "write the page anew from the results there are");
+    app.add_option("--instructions", instructions, "count them into this file, and no more")
+        ->excludes("--json");
     CLI11_PARSE(app, argc, argv);
     try {
+        std::filesystem::create_directories(work);
+        if (!instructions.empty()) {
+            countInstructions(instructions, work);
+            return 0;
+        }
         effects::Json results;
         if (again) {
             std::ifstream(json) >> results;
         } else {
-            std::filesystem::create_directories(work);
             results = effects::measure(scale, rounds, work);
             std::ofstream(json) << results.dump(2) << "\n";
         }

@@ -1,14 +1,9 @@
-// Which kernels the engines make, and how many instructions they have.
+// Which kernels the engines make.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "effects.h"
 
-#include "tokens.h"
-
-#include <cstdlib>
+#include <algorithm>
 #include <epoxy/gl.h>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -23,10 +18,7 @@ namespace {
 PFNGLSHADERSOURCEPROC driverSource = nullptr;
 PFNGLLINKPROGRAMPROC driverLink = nullptr;
 std::string lastSource;
-std::map<std::string, Variant>& variants() {
-    static std::map<std::string, Variant> known;
-    return known;
-}
+std::optional<Variant> lastVariant;
 
 /// The switches stand in front of the first line that is no #define, after the version.
 eikonal::gpu::Switches switchesOf(const std::string& text) {
@@ -45,13 +37,16 @@ eikonal::gpu::Switches switchesOf(const std::string& text) {
 
 void noteProgram(GLuint program) {
     const eikonal::gpu::Switches switches = switchesOf(lastSource);
-    for (const char* kernel : {kViewKernel, kSharpKernel, kPhotonKernel}) {
-        if (eikonal::gpu::loadShader(kernel, switches).text != lastSource) continue;
-        GLint bytes = 0;
-        glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &bytes);
-        variants()[kernel] = {kernel, lastSource, switches, bytes};
-    }
+    const bool traces = std::any_of(std::begin(kKernels), std::end(kKernels), [&](auto* kernel) {
+        return eikonal::gpu::loadShader(kernel, switches).text == lastSource;
+    });
+    if (!traces) return;
+    GLint bytes = 0;
+    glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &bytes);
+    lastVariant = Variant{lastSource, switches, bytes};
 }
+
+void watchPrograms();
 
 void EPOXY_CALLSPEC sourceSeen(GLuint shader, GLsizei count, const GLchar* const* strings,
                                const GLint* lengths) {
@@ -68,12 +63,7 @@ void EPOXY_CALLSPEC linkSeen(GLuint program) {
     noteProgram(program);
 }
 
-bool runs(const std::string& command) {
-    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
-}
-
-} // namespace
-
+/// From now on every program that is made is noted.
 void watchPrograms() {
     if (epoxy_glShaderSource != sourceSeen) driverSource = epoxy_glShaderSource;
     if (epoxy_glLinkProgram != linkSeen) driverLink = epoxy_glLinkProgram;
@@ -81,55 +71,22 @@ void watchPrograms() {
     epoxy_glLinkProgram = linkSeen;
 }
 
-const Variant& lastVariant(const std::string& kernel) {
-    const auto found = variants().find(kernel);
-    if (found == variants().end()) throw std::runtime_error("no program was made of " + kernel);
-    return found->second;
+} // namespace
+
+Run run(const Case& one, eikonal::gpu::Device& device) {
+    watchPrograms();
+    lastVariant.reset();
+    Run result;
+    result.outcome = one.run(device);
+    if (!lastVariant) throw std::runtime_error("no kernel that traces was made for " + one.name);
+    result.variant = *lastVariant;
+    return result;
 }
 
-std::optional<Instructions> instructionsOf(const std::string& text, const std::string& work) {
-    static const bool installed = runs("glslangValidator --version") &&
-                                  runs("spirv-opt --version") && runs("spirv-dis --version");
-    if (!installed) return std::nullopt;
-    static std::map<std::string, Instructions> counted;
-    if (const auto known = counted.find(text); known != counted.end()) return known->second;
-    std::filesystem::create_directories(work);
-    const std::string base = "'" + work + "/kernel";
-    std::ofstream(work + "/kernel.comp") << text;
-    if (!runs("glslangValidator -G -S comp -o " + base + ".spv' " + base + ".comp'") ||
-        !runs("spirv-opt -O " + base + ".spv' -o " + base + ".opt.spv'") ||
-        !runs("spirv-dis " + base + ".opt.spv' -o " + base + ".txt'"))
-        throw std::runtime_error("no SPIR-V from " + work + "/kernel.comp");
-    std::ifstream lines(work + "/kernel.txt");
-    Instructions instructions;
-    bool inFunction = false;
-    for (std::string line; std::getline(lines, line);) {
-        const size_t begin = line.find("Op");
-        if (begin == line.npos) continue;
-        const std::string name = line.substr(begin, line.find(' ', begin) - begin);
-        if (name == "OpFunctionEnd") inFunction = false;
-        const bool does = name != "OpLabel" && name != "OpFunctionParameter";
-        if (inFunction && does) instructions.push_back(name);
-        if (name == "OpFunction") inFunction = true;
-    }
-    return counted[text] = instructions;
-}
-
-ShaderFolder::ShaderFolder(const std::string& folder) {
-    if (!folder.empty()) ::setenv("EIKONAL_SHADERS", folder.c_str(), 1);
-}
-
-ShaderFolder::~ShaderFolder() {
-    ::unsetenv("EIKONAL_SHADERS");
-}
-
-void writeWithout(const std::vector<Cut>& cuts, const std::string& folder) {
-    const std::string kernel = cuts.front().kernel;
-    std::string text = eikonal::gpu::loadShader(kernel, {}).text;
-    text.erase(0, text.find('\n') + 1); // the version comes before the switches, when it is loaded
-    const std::filesystem::path path = std::filesystem::path(folder) / kernel;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path) << cut(text, cuts);
+std::uint64_t peakBytesOf(const Case& one) {
+    eikonal::gpu::Device device(eikonal::gpu::DeviceChoice{});
+    one.run(device);
+    return device.peakBytes();
 }
 
 } // namespace effects

@@ -1,7 +1,9 @@
 // Which devices there are, what they refuse, and what they hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/scratch.h"
-#include "device_under_test.h"
+#include "gpu/program.h"
+#include "gpu/resources.h"
+#include "support/device.h"
+#include "support/scratch.h"
 
 #include <limits>
 
@@ -9,15 +11,15 @@ using namespace eikonal;
 using namespace eikonal::gpu;
 
 TEST(GpuDevice, ThereIsOneAndItIsSoftwareIfAskedFor) {
-    closeDeviceUnderTest();
+    closeDevice();
     const auto devices = listDevices();
     ASSERT_FALSE(devices.empty());
     for (const DeviceInfo& device : devices) EXPECT_FALSE(device.renderer.empty());
-    const DeviceInfo& info = deviceUnderTest().info();
+    const DeviceInfo& info = eikonal::device().info();
     EXPECT_TRUE(info.software);
     EXPECT_FALSE(info.vendor.empty());
     EXPECT_FALSE(info.version.empty());
-    const Limits& limits = deviceUnderTest().limits();
+    const Limits& limits = eikonal::device().limits();
     // What OpenGL 4.5 asks of every device.
     EXPECT_GE(limits.storageBufferBytes, 1 << 27);
     EXPECT_GE(limits.texture3d, 2048);
@@ -36,7 +38,7 @@ TEST(GpuDevice, ChoicesAreParsed) {
 }
 
 TEST(GpuDevice, RefusesAnIndexThatIsNone) {
-    closeDeviceUnderTest();
+    closeDevice();
     const int count = static_cast<int>(listDevices().size());
     for (const int index : {count, 99})
         expectError(ExitStatus::device, {"--device " + std::to_string(index)}, [&] {
@@ -45,14 +47,14 @@ TEST(GpuDevice, RefusesAnIndexThatIsNone) {
 }
 
 TEST(GpuDevice, RefusesASoftwareDeviceWhereAGpuIsRequired) {
-    closeDeviceUnderTest();
+    closeDevice();
     expectError(ExitStatus::device, {"--require-gpu", "software"}, [] {
         Device device({DeviceChoice::Kind::software, 0, true});
     });
 }
 
 TEST(GpuDevice, SaysBeforehandWhatDoesNotFit) {
-    const Device& device = deviceUnderTest();
+    const Device& device = eikonal::device();
     const Limits& limits = device.limits();
     EXPECT_NO_THROW(device.requireFit({}));
     EXPECT_NO_THROW(device.requireFit({{"a list", limits.storageBufferBytes, true, 0}}));
@@ -74,8 +76,8 @@ TEST(GpuDevice, SaysBeforehandWhatDoesNotFit) {
 }
 
 TEST(GpuDevice, KeepsAccountOfItsPeak) {
-    closeDeviceUnderTest(); // to start from nothing
-    Device& device = deviceUnderTest();
+    closeDevice(); // to start from nothing
+    Device& device = eikonal::device();
     const std::uint64_t before = device.peakBytes();
     const std::int64_t bytes = static_cast<std::int64_t>(before) + 4096;
     {

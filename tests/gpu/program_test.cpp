@@ -1,7 +1,9 @@
 // Shaders: includes, switches, errors that name the right line, and that they run.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/scratch.h"
-#include "device_under_test.h"
+#include "gpu/program.h"
+#include "gpu/resources.h"
+#include "support/device.h"
+#include "support/scratch.h"
 
 #include <cstdlib>
 
@@ -79,14 +81,14 @@ TEST_F(ProgramTest, AnErrorInsideAnIncludeNamesThatLine) {
     putBytes("t/main.comp.glsl", "#include \"t/broken.glsl\"\n" + kMain + "}\n");
     putBytes("t/broken.glsl", "// fine\nfloat half_of(float x) {\n    return 0.5 * y;\n}\n");
     const auto compile = [] {
-        const Program program(deviceUnderTest(), "t/main.comp.glsl", {{"A", 1}, {"B", 2}});
+        const Program program(eikonal::device(), "t/main.comp.glsl", {{"A", 1}, {"B", 2}});
     };
     expectError(ExitStatus::internal, {"t/main.comp.glsl", "t/broken.glsl:3", "y"}, compile, false);
 }
 
 TEST_F(ProgramTest, AProgramThatDoesNotLinkIsAnInternalError) {
     putBytes("t/main.comp.glsl", "uint missing();\n" + kMain + "    values[p.x] = missing();\n}\n");
-    const auto link = [] { const Program program(deviceUnderTest(), "t/main.comp.glsl", {}); };
+    const auto link = [] { const Program program(eikonal::device(), "t/main.comp.glsl", {}); };
     expectError(ExitStatus::internal, {"t/main.comp.glsl", "link", "missing"}, link, false);
 }
 
@@ -96,16 +98,16 @@ TEST_F(ProgramTest, RunsOverEveryItemWithItsSwitches) {
                  "    if (p.x < 5u && p.y < 3u && p.z < 2u)\n"
                  "        values[(p.z * 3u + p.y) * 5u + p.x] = uint(FACTOR) * (p.x + 10u * p.y "
                  "+ 100u * p.z);\n}\n");
-    Buffer values(deviceUnderTest(), 30 * 4);
+    Buffer values(eikonal::device(), 30 * 4);
     values.clear();
-    const Program program(deviceUnderTest(), "t/main.comp.glsl", {{"FACTOR", 7}});
+    const Program program(eikonal::device(), "t/main.comp.glsl", {{"FACTOR", 7}});
     values.bindStorage(0);
     program.dispatch({5, 3, 2}); // no multiples of the group's 4 × 2
     program.dispatch({0, 3, 2}); // none at all
     barrier();
     std::vector<std::uint32_t> out(30);
     values.download(out.data(), 30 * 4);
-    deviceUnderTest().check("the test");
+    eikonal::device().check("the test");
     for (std::uint32_t i = 0; i < 30; ++i)
         EXPECT_EQ(out[i], 7 * (i % 5 + 10 * (i / 5 % 3) + 100 * (i / 15))) << i;
 }
@@ -114,8 +116,8 @@ TEST_F(ProgramTest, TheProfilerFillsTheStats) {
     putBytes("t/main.comp.glsl", kMain + "    uint v = p.x;\n"
                                          "    for (int i = 0; i < 1000; ++i) v = v * 3u + 1u;\n"
                                          "    values[p.x] = v;\n}\n");
-    const Program program(deviceUnderTest(), "t/main.comp.glsl", {});
-    const Buffer values(deviceUnderTest(), 1 << 18);
+    const Program program(eikonal::device(), "t/main.comp.glsl", {});
+    const Buffer values(eikonal::device(), 1 << 18);
     values.bindStorage(0);
     Stats stats;
     {

@@ -1,6 +1,8 @@
 // What goes into a buffer or texture comes out of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device_under_test.h"
+#include "gpu/program.h"
+#include "gpu/resources.h"
+#include "support/device.h"
 
 #include <gtest/gtest.h>
 #include <numeric>
@@ -19,7 +21,7 @@ std::vector<float> numbers(size_t count) {
 
 TEST(GpuBuffer, RoundTrips) {
     const auto values = numbers(1000);
-    Buffer buffer(deviceUnderTest(), 4000, values.data());
+    Buffer buffer(eikonal::device(), 4000, values.data());
     std::vector<float> back(1000);
     buffer.download(back.data(), 4000);
     EXPECT_EQ(back, values);
@@ -35,12 +37,12 @@ TEST(GpuBuffer, RoundTrips) {
     buffer.clear();
     buffer.download(back.data(), 4000);
     EXPECT_EQ(back, std::vector<float>(1000, 0));
-    deviceUnderTest().check("the test");
+    eikonal::device().check("the test");
 }
 
 TEST(GpuBuffer, MovesAndMayBeEmpty) {
     const auto values = numbers(4);
-    Buffer a(deviceUnderTest(), 16, values.data());
+    Buffer a(eikonal::device(), 16, values.data());
     Buffer b = std::move(a);
     Buffer c;
     c = std::move(b);
@@ -48,16 +50,16 @@ TEST(GpuBuffer, MovesAndMayBeEmpty) {
     std::vector<float> back(4);
     c.download(back.data(), 16);
     EXPECT_EQ(back, values);
-    const Buffer none(deviceUnderTest(), 0);
+    const Buffer none(eikonal::device(), 0);
     EXPECT_EQ(none.bytes(), 0);
-    deviceUnderTest().check("the test");
+    eikonal::device().check("the test");
 }
 
 TEST(GpuTexture, RoundTripsInEveryFormat) {
     const glm::ivec3 size(7, 5, 3); // rows of 7 bytes: alignment must not matter
     for (const TexelFormat format : {TexelFormat::r32f, TexelFormat::rg32f, TexelFormat::rgba32f}) {
         const auto values = numbers(static_cast<size_t>(7 * 5 * 3 * componentsOf(format)));
-        Texture texture(deviceUnderTest(), size, format, Filter::nearest);
+        Texture texture(eikonal::device(), size, format, Filter::nearest);
         texture.upload(values.data());
         std::vector<float> back(values.size());
         texture.download(back.data(), texture.bytes());
@@ -65,7 +67,7 @@ TEST(GpuTexture, RoundTripsInEveryFormat) {
     }
     std::vector<std::uint8_t> bytes(7 * 5 * 3), bytesBack(bytes.size());
     std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
-    Texture texture(deviceUnderTest(), size, TexelFormat::r8ui, Filter::nearest);
+    Texture texture(eikonal::device(), size, TexelFormat::r8ui, Filter::nearest);
     EXPECT_EQ(texture.bytes(), 7 * 5 * 3);
     texture.upload(bytes.data());
     texture.download(bytesBack.data(), texture.bytes());
@@ -74,16 +76,16 @@ TEST(GpuTexture, RoundTripsInEveryFormat) {
     texture.download(bytesBack.data(), texture.bytes());
     EXPECT_EQ(bytesBack, std::vector<std::uint8_t>(bytes.size(), 0));
     std::vector<std::uint32_t> words(7 * 5 * 3, 0xdeadbeef), wordsBack(words.size());
-    Texture integers(deviceUnderTest(), size, TexelFormat::r32ui, Filter::nearest);
+    Texture integers(eikonal::device(), size, TexelFormat::r32ui, Filter::nearest);
     integers.upload(words.data());
     integers.download(wordsBack.data(), integers.bytes());
     EXPECT_EQ(wordsBack, words);
-    deviceUnderTest().check("the test");
+    eikonal::device().check("the test");
 }
 
 TEST(GpuTexture, TakesSlicesAndFlatPictures) {
     const auto values = numbers(7 * 5 * 3);
-    Texture texture(deviceUnderTest(), {7, 5, 3}, TexelFormat::r32f, Filter::linear);
+    Texture texture(eikonal::device(), {7, 5, 3}, TexelFormat::r32f, Filter::linear);
     texture.clear();
     texture.uploadSlices(1, 2, values.data());
     std::vector<float> back(7 * 5 * 3);
@@ -91,10 +93,10 @@ TEST(GpuTexture, TakesSlicesAndFlatPictures) {
     EXPECT_EQ(back[34], 0);
     EXPECT_EQ(back[35], 0.5f);
     EXPECT_EQ(back[104], 69.5f);
-    Texture flat(deviceUnderTest(), {15, 7, 0}, TexelFormat::r32f, Filter::linear);
+    Texture flat(eikonal::device(), {15, 7, 0}, TexelFormat::r32f, Filter::linear);
     EXPECT_EQ(flat.bytes(), 15 * 7 * 4);
     flat.upload(values.data());
     flat.download(back.data(), flat.bytes());
     EXPECT_EQ(back, values);
-    deviceUnderTest().check("the test");
+    eikonal::device().check("the test");
 }

@@ -1,14 +1,13 @@
 // Hard cases of numbers that are none: refused on the way in, caught on the way out.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/vdb_files.h"
 #include "image/exr.h"
 #include "image/picture.h"
-#include "tool.h"
+#include "support/tool.h"
+#include "support/vdb_files.h"
 
 #include <limits>
 
 using namespace eikonal;
-using namespace eikonal::hard;
 using volume::VolumeTest;
 
 namespace {
@@ -25,18 +24,18 @@ class HardValue : public VolumeTest {
 protected:
     /// A file that calls for every effect, with one bad voxel (or component of it) in one grid.
     void spoil(const std::string& grid, float value) const {
-        openvdb::GridPtrVec grids;
+        std::vector<volume::VdbGrid> grids;
         for (const char* name : {"ior", "opacity", "anisotropy"}) {
             const bool opaque = std::string(name) == "opacity";
             auto made = floats(name, opaque ? 0.0f : 0.5f, opaque ? 0.0f : 0.5f);
-            if (opaque) made->tree().setValueOn({7, 7, 7}, 1);
-            if (grid == name) made->tree().setValueOn({1, 2, 3}, value);
+            if (opaque) made.set({7, 7, 7}, 1);
+            if (grid == name) made.set({1, 2, 3}, value);
             grids.push_back(made);
         }
         for (const char* name :
              {"absorption", "scattering", "emission", "fluence", "light_direction", "albedo"}) {
-            auto made = vectors(name, openvdb::Vec3s(0.5f));
-            if (grid == name) made->tree().setValueOn({1, 2, 3}, {0.5f, 0.5f, value});
+            auto made = vectors(name, glm::dvec3(0.5));
+            if (grid == name) made.set({1, 2, 3}, {0.5, 0.5, value});
             grids.push_back(made);
         }
         vdb("in.vdb", grids);
@@ -103,7 +102,7 @@ TEST_F(HardValue, LightBeyondFloatIsAFaultOfTheOutput) {
 }
 
 TEST_F(HardValue, RadianceBeyondFloatIsAFaultOfTheOutput) {
-    vdb("in.vdb", {vectors("emission", openvdb::Vec3s(3e38f))});
+    vdb("in.vdb", {vectors("emission", glm::dvec3(3e38f))});
     refused(70, {"out.exr", "'R'", "pixel (0, 0)"}, kRender, folder);
     refused(70, {"out.png"},
             "render in.vdb -o out.png --eye 4,4,40 --target 4,4,4 --ortho 8 --size 4x4", folder);

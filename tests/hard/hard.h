@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "../lightsim/lit.h"
-#include "../view/look.h"
+#include "support/lit.h"
+#include "support/look.h"
 
 #include <numbers>
 #include <rapidcheck/gtest.h>

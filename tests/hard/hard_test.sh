@@ -2,7 +2,7 @@
 # Hard cases at the command line: what scripts read of trapped rays, of energy, of refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=render
-. "$(dirname "$0")/../pipeline/manners.sh"
+. "$(dirname "$0")/../support/manners.sh"
 few='--photons 2000'
 books='.energy as $e | all(range(3); ($e.entered[.] - ($e.absorbed[.] + $e.scattered[.] +
     $e.escaped[.] + $e.lost[.])) | fabs <= 1e-4 * $e.entered[0])'

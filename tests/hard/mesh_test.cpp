@@ -1,15 +1,14 @@
 // Hard cases of meshes, through mesh2vol: the right status, or the right volume.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/scratch.h"
 #include "mesh/shapes.h"
-#include "tool.h"
+#include "support/scratch.h"
+#include "support/tool.h"
 #include "volume/volume.h"
 
 #include <iomanip>
 #include <sstream>
 
 using namespace eikonal;
-using namespace eikonal::hard;
 using glm::dvec3;
 using glm::uvec3;
 using mesh::TriangleMesh;

@@ -1,7 +1,7 @@
 // Hard cases of a volume's shape, size and place: slivers, tiny and huge voxels, far away, turned.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/scratch.h"
 #include "hard.h"
+#include "support/scratch.h"
 
 using namespace eikonal;
 using namespace eikonal::hard;

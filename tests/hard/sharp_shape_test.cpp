@@ -1,7 +1,7 @@
 // Hard cases of what sharp boundaries bound: thin walls, edges, objects that touch, eyes in them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/scratch.h"
 #include "sharp.h"
+#include "support/scratch.h"
 
 using namespace eikonal;
 using namespace eikonal::hard;

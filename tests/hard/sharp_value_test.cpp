@@ -1,8 +1,8 @@
 // Hard cases of distances that are none, of where objects are, and of what must not depend on it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../volume/vdb_files.h"
 #include "sharp.h"
-#include "tool.h"
+#include "support/tool.h"
+#include "support/vdb_files.h"
 
 #include <limits>
 
@@ -38,8 +38,8 @@ protected:
     /// An object in a file of 8³ voxels, with one voxel of its distances set otherwise.
     void spoil(const std::string& name, float value) const {
         auto distances = floats(name, -0.5f, 3);
-        distances->setGridClass(openvdb::GRID_LEVEL_SET);
-        distances->tree().setValueOn({1, 2, 3}, value);
+        distances.setLevelSet();
+        distances.set({1, 2, 3}, value);
         vdb("in.vdb", {floats("ior"), distances});
     }
 };
@@ -72,10 +72,10 @@ TEST_F(HardSharpValue, SharpBoundariesWithoutObjectsAreRefused) {
 
 TEST_F(HardSharpValue, ThirteenObjectsAreRefused) {
     for (const int count : {12, 13}) {
-        openvdb::GridPtrVec grids{floats("ior")};
+        std::vector<volume::VdbGrid> grids{floats("ior")};
         for (int i = 0; i < count; ++i) {
             auto distances = floats("sdf.n" + std::to_string(i), -0.5f, 3);
-            distances->setGridClass(openvdb::GRID_LEVEL_SET);
+            distances.setLevelSet();
             grids.push_back(distances);
             grids.push_back(floats("ior.n" + std::to_string(i)));
         }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "image/exr.h"
 #include "image/picture.h"
-#include "scratch.h"
+#include "support/exr_files.h"
 
 #include <Imath/half.h>
 #include <OpenEXR/ImfChannelList.h>
@@ -21,7 +21,7 @@ using namespace eikonal::image;
 
 namespace {
 
-class ExrInputTest : public ScratchTest {
+class ExrInputTest : public ExrFilesTest {
 protected:
     /// A file of half-float channels whose samples are 1, 2, 3... in the data window's order.
     void halfFile(const std::string& name, Imf::Header header,
@@ -118,10 +118,10 @@ TEST_F(ExrInputTest, WhatIsNoPictureIsRefusedByName) {
     expectError(ExitStatus::missing, {"none.exr", "No such file"},
                 [&] { readExr(at("none.exr")); });
     expectError(ExitStatus::missing, {"directory"}, [&] { readExr(folder.string()); });
-    put("garbage.exr", std::string(5000, 'x'));
+    putBytes("garbage.exr", std::string(5000, 'x'));
     expectError(ExitStatus::data, {"garbage.exr", "no OpenEXR"},
                 [&] { readExr(at("garbage.exr")); });
-    put("empty.exr", "");
+    putBytes("empty.exr", "");
     expectError(ExitStatus::data, {"empty.exr"}, [&] { readExr(at("empty.exr")); });
     exr("depth.exr", numbered(3, 3, {"Z", "steps", "R", "G"}));
     expectError(ExitStatus::data, {"depth.exr", "R, G and B", "Z", "steps"},
@@ -141,7 +141,7 @@ TEST_F(ExrInputTest, AHeaderOfAbsurdSizeTakesNoMemory) {
         std::memcpy(bytes.data() + at, &rows, sizeof rows);
     }
     // Long enough for the table of their places, which OpenEXR reads on opening.
-    put("tall.exr", bytes + std::string(100'000, '\1'));
+    putBytes("tall.exr", bytes + std::string(100'000, '\1'));
     const long before = peakKibibytes();
     expectError(ExitStatus::data, {"tall.exr"}, [&] { readExr(at("tall.exr")); });
     // The picture would take 1200 MiB; 100 MiB leave room for the table of lines.
@@ -153,7 +153,7 @@ TEST_F(ExrInputTest, DamagedFilesAreDataErrorsOrStillPictures) {
     const std::string whole = bytesOf("a.exr");
     // Truncated anywhere: the last block is always missing, so never a picture.
     for (size_t length = 0; length < whole.size(); length += whole.size() / 40 + 1) {
-        put("cut.exr", whole.substr(0, length));
+        putBytes("cut.exr", whole.substr(0, length));
         expectError(ExitStatus::data, {"cut.exr"}, [&] { readExr(at("cut.exr")); });
     }
     // Bytes changed at random: a value may change unnoticed, but nothing else may be thrown.
@@ -161,7 +161,7 @@ TEST_F(ExrInputTest, DamagedFilesAreDataErrorsOrStillPictures) {
     for (int round = 0; round < 300; ++round) {
         std::string bytes = whole;
         for (int k = 0; k < 4; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
-        put("hurt.exr", bytes);
+        putBytes("hurt.exr", bytes);
         try {
             readExr(at("hurt.exr"));
         } catch (const Error& error) {

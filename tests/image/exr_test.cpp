@@ -1,7 +1,7 @@
 // What a written EXR holds, that it repeats, and how writing fails.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "image/exr.h"
-#include "scratch.h"
+#include "support/exr_files.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -22,7 +22,7 @@ using namespace eikonal::image;
 
 namespace {
 
-using ExrTest = ScratchTest;
+using ExrTest = ExrFilesTest;
 
 const std::vector<std::string> kRenderChannels = {"R",
                                                   "G",

@@ -3,7 +3,7 @@
 #include "image/picture.h"
 
 #include "image/srgb.h"
-#include "scratch.h"
+#include "support/exr_files.h"
 
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace eikonal::image;
 
 namespace {
 
-class PictureTest : public ScratchTest {
+class PictureTest : public ExrFilesTest {
 protected:
     void write(const std::string& name, const Image& image, const ToneMap& toneMap = {}) const {
         AtomicFile out(at(name));
@@ -151,8 +151,8 @@ TEST_F(PictureTest, JpegIsWrittenWithoutAlpha) {
 
 TEST_F(PictureTest, RadianceHdrIsLinear) {
     // One pixel of (0.5, 0.25, 2): mantissas over 256 times 2^(exponent - 128).
-    put("a.hdr",
-        std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n") + "\x20\x10\x80\x82");
+    putBytes("a.hdr",
+             std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n") + "\x20\x10\x80\x82");
     // 1 %: the format's 8-bit mantissa, half a step added or not, as readers differ.
     const Image back = readEnvironment(at("a.hdr"));
     EXPECT_NEAR(back.plane(0)[0], 0.5, 0.02);
@@ -193,10 +193,10 @@ TEST_F(PictureTest, FailuresHaveTheirStatusAndLeaveNoFile) {
         write("full.png", greys({0, 1}));
     });
     expectError(ExitStatus::missing, {"none.png"}, [&] { readPicture(at("none.png")); });
-    put("garbage.png", std::string(3000, 'x'));
+    putBytes("garbage.png", std::string(3000, 'x'));
     expectError(ExitStatus::data, {"garbage.png"}, [&] { readPicture(at("garbage.png")); });
     write("cut.png", numbered(90, 90, {"R", "G", "B"}));
-    put("cut.png", bytesOf("cut.png").substr(0, 200));
+    putBytes("cut.png", bytesOf("cut.png").substr(0, 200));
     ::testing::internal::CaptureStderr();
     expectError(ExitStatus::data, {"cut.png"}, [&] { readPicture(at("cut.png")); });
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "main alone reports errors";
@@ -209,9 +209,9 @@ TEST_F(PictureTest, AMissingModuleIsNamedWithTheLoadersReason) {
                                             "EIKONAL_MODULES"};
     expectError(ExitStatus::missing, words, [] { requirePictureModule(); });
     expectError(ExitStatus::missing, words, [&] { write("a.png", greys({1})); });
-    put("a.hdr", "#?RADIANCE\n");
+    putBytes("a.hdr", "#?RADIANCE\n");
     expectError(ExitStatus::missing, words, [&] { readPicture(at("a.hdr")); });
-    put("empty/libeikonal_oiio.so", "no library");
+    putBytes("empty/libeikonal_oiio.so", "no library");
     expectError(ExitStatus::missing, {"libeikonal_oiio.so"}, [] { requirePictureModule(); });
 }
 

@@ -4,11 +4,11 @@ add_library(judge STATIC judge/media.cpp judge/trace.cpp judge/closed.cpp judge/
                          judge/photons.cpp judge/glass.cpp judge/glass_photons.cpp)
 target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_include_directories(judge SYSTEM PUBLIC ${GLM_INCLUDE})
-find_package(Threads REQUIRED)
 target_link_libraries(judge PUBLIC Threads::Threads)
+# It traces thousands of rays in double.
+target_compile_options(judge PRIVATE $<$<CONFIG:Release>:-O2>)
 
 add_executable(test_judge judge/trace_test.cpp judge/snell_test.cpp judge/glass_test.cpp)
 target_link_libraries(test_judge PRIVATE judge GTest::gtest_main)
-set_target_properties(test_judge PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-add_test(NAME test_judge COMMAND test_judge)
-set_tests_properties(test_judge PROPERTIES TIMEOUT 600)
+target_precompile_headers(test_judge REUSE_FROM test_headers)
+eikonal_run(test_judge COMMAND test_judge)

@@ -1,6 +1,6 @@
 // Light through curved media: a blurred glass ball, turned every way, and orbits that never leave.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lit.h"
+#include "support/lit.h"
 
 #include <array>
 

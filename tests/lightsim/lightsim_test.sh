@@ -2,7 +2,7 @@
 # The manners of lightsim: what it answers, with which status, and what it leaves behind.
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=lightsim
-. "$(dirname "$0")/../pipeline/manners.sh"
+. "$(dirname "$0")/../support/manners.sh"
 sun='--light directional:0,-1,0'
 few='--photons 1000'
 

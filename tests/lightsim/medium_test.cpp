@@ -1,6 +1,6 @@
 // Light through media that absorb and scatter, and onto opaque material.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lit.h"
+#include "support/lit.h"
 
 #include <utility>
 

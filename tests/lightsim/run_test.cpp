@@ -1,6 +1,6 @@
 // How a light simulation is run: batches, thinning, seeds, proxies, outputs, the octree.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lit.h"
+#include "support/lit.h"
 
 #include "base/error.h"
 #include "mesh/shapes.h"

@@ -1,6 +1,6 @@
 // Light at sharp boundaries: slabs, a prism, balls and shadows that are solved on paper.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lit.h"
+#include "support/lit.h"
 
 #include "base/error.h"
 #include "mesh/shapes.h"

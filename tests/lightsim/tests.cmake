@@ -1,6 +1,5 @@
 eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test.cpp
              lightsim/lens_test.cpp lightsim/run_test.cpp lightsim/sharp_test.cpp)
 
-add_test(NAME lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
+eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})
-set_tests_properties(lightsim_manners PROPERTIES TIMEOUT 600)

@@ -1,6 +1,6 @@
 // Light that meets nothing: directional and point lights in empty space and in even glass.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lit.h"
+#include "support/lit.h"
 
 #include <numbers>
 

@@ -4,30 +4,20 @@
 #include "mesh/check.h"
 #include "mesh/read.h"
 #include "mesh/shapes.h"
+#include "support/scratch.h"
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <sstream>
 
 namespace eikonal::mesh {
 namespace {
 
-class Read : public ::testing::Test {
+class Read : public ScratchTest {
 protected:
-    void SetUp() override {
-        mFolder =
-            std::filesystem::temp_directory_path() / ("eikonal_mesh_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(mFolder);
-    }
-    void TearDown() override { std::filesystem::remove_all(mFolder); }
-
     std::string write(const std::string& name, const std::string& bytes) {
-        const std::string path = (mFolder / name).string();
-        std::ofstream(path, std::ios::binary) << bytes;
-        return path;
+        putBytes(name, bytes);
+        return at(name);
     }
 
     /// The message of the DataError that reading the file throws.
@@ -48,11 +38,9 @@ protected:
         EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
         return message;
     }
-
-    std::filesystem::path mFolder;
 };
 
-template<typename Number> std::string bytesOf(Number number, bool swapped = false) {
+template<typename Number> std::string rawBytes(Number number, bool swapped = false) {
     std::string bytes(sizeof number, '\0');
     std::memcpy(bytes.data(), &number, sizeof number);
     if (swapped) std::reverse(bytes.begin(), bytes.end());
@@ -102,26 +90,27 @@ std::string binaryPly(bool big) {
                         "property float y\nproperty int z\nelement face 12\n"
                         "property list uchar uint vertex_index\nproperty float quality\n"
                         "end_header\n";
-    for (int i = 0; i < 2; ++i) bytes += bytesOf(std::uint8_t(1)) + bytesOf(std::int16_t(-3), big);
+    for (int i = 0; i < 2; ++i)
+        bytes += rawBytes(std::uint8_t(1)) + rawBytes(std::int16_t(-3), big);
     for (const glm::dvec3& p : mesh.points)
-        bytes += bytesOf(p.x, big) + bytesOf(std::uint8_t(255)) + bytesOf(float(p.y), big) +
-                 bytesOf(std::int32_t(p.z), big);
+        bytes += rawBytes(p.x, big) + rawBytes(std::uint8_t(255)) + rawBytes(float(p.y), big) +
+                 rawBytes(std::int32_t(p.z), big);
     for (const glm::uvec3& face : mesh.triangles) {
-        bytes += bytesOf(std::uint8_t(3));
-        for (int k = 0; k < 3; ++k) bytes += bytesOf(face[k], big);
-        bytes += bytesOf(1.5f, big);
+        bytes += rawBytes(std::uint8_t(3));
+        for (int k = 0; k < 3; ++k) bytes += rawBytes(face[k], big);
+        bytes += rawBytes(1.5f, big);
     }
     return bytes;
 }
 
 std::string binaryStl(const std::string& title) {
     const TriangleMesh mesh = sample();
-    std::string bytes = title + std::string(80 - title.size(), ' ') + bytesOf(std::uint32_t(12));
+    std::string bytes = title + std::string(80 - title.size(), ' ') + rawBytes(std::uint32_t(12));
     for (const glm::uvec3& face : mesh.triangles) {
         bytes += std::string(12, '\0');
         for (int k = 0; k < 3; ++k)
             for (int axis = 0; axis < 3; ++axis)
-                bytes += bytesOf(static_cast<float>(mesh.points[face[k]][axis]));
+                bytes += rawBytes(static_cast<float>(mesh.points[face[k]][axis]));
         bytes += std::string(2, '\0');
     }
     return bytes;
@@ -185,9 +174,9 @@ TEST_F(Read, StlOfBothKindsMergesItsPoints) {
 }
 
 TEST_F(Read, WhatIsNotThereIsMissing) {
-    EXPECT_THROW(readMesh((mFolder / "none.obj").string()), MissingError);
-    std::filesystem::create_directory(mFolder / "folder.obj");
-    EXPECT_THROW(readMesh((mFolder / "folder.obj").string()), MissingError);
+    EXPECT_THROW(readMesh((folder / "none.obj").string()), MissingError);
+    std::filesystem::create_directory(folder / "folder.obj");
+    EXPECT_THROW(readMesh((folder / "folder.obj").string()), MissingError);
 }
 
 TEST_F(Read, RefusesOtherExtensionsAndEmptyFiles) {
@@ -240,9 +229,9 @@ TEST_F(Read, CountsThatLieCostNothing) {
     std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\n"
                       "property float y\nproperty float z\nelement hole 9000000000000000\n"
                       "element face 1\nproperty list uint int vertex_indices\nend_header\n";
-    ply += bytesOf(std::uint32_t(0xffffffff));
+    ply += rawBytes(std::uint32_t(0xffffffff));
     EXPECT_NE(refusal("a.ply", ply).find("end of the file"), std::string::npos);
-    EXPECT_NE(refusal("a.stl", std::string(80, ' ') + bytesOf(std::uint32_t(0xffffffff)))
+    EXPECT_NE(refusal("a.stl", std::string(80, ' ') + rawBytes(std::uint32_t(0xffffffff)))
                   .find("214748364834"), // 84 + 50 (2^32 - 1) bytes
               std::string::npos);
 }
@@ -262,7 +251,7 @@ TEST_F(Read, RefusesEveryTruncationOfAFile) {
 
 TEST_F(Read, RefusesBinaryCoordinatesThatAreNoNumbers) {
     std::string stl = binaryStl("box");
-    const std::string nan = bytesOf(std::numeric_limits<float>::quiet_NaN());
+    const std::string nan = rawBytes(std::numeric_limits<float>::quiet_NaN());
     stl.replace(84 + 50 * 4 + 12, 4, nan); // the fifth triangle's first coordinate
     EXPECT_NE(refusal("a.stl", stl).find("triangle 5"), std::string::npos);
     std::string ply = binaryPly(false);

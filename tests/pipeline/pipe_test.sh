@@ -2,7 +2,7 @@
 # The whole chain, from mesh to picture: through pipes, through files, and against golden pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=render
-. "$(dirname "$0")/manners.sh"
+. "$(dirname "$0")/../support/manners.sh"
 here=$(dirname "$script")
 . "$here/chain.sh"
 

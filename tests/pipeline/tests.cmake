@@ -1,6 +1,5 @@
-add_test(NAME pipeline COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/pipeline/pipe_test.sh
+eikonal_run(pipeline COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/pipeline/pipe_test.sh
                                ${CMAKE_BINARY_DIR})
-set_tests_properties(pipeline PROPERTIES TIMEOUT 600)
 
 # Renders the golden pictures anew, to be looked at.
 add_custom_target(update_golden

@@ -1,6 +1,6 @@
 // Balls of glass with a sharp boundary: every ray by Snell's law, every order by Fresnel's.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glass_volume.h"
+#include "support/glass_volume.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // Flat faces: slabs, prisms, total reflection.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glass_volume.h"
+#include "support/glass_volume.h"
 
 #include <numbers>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluence.h"
 
-#include "../lightsim/lit.h"
-#include "glass_volume.h"
+#include "support/glass_volume.h"
+#include "support/lit.h"
 
 namespace eikonal::sharp {
 

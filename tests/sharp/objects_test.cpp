@@ -1,6 +1,6 @@
 // Several objects: a glass of wine, one boundary where two of them touch or overlap.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glass_volume.h"
+#include "support/glass_volume.h"
 
 using namespace eikonal;
 using namespace eikonal::sharp;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "smooth/smooth.h"
 
+#include "support/device.h"
+
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -11,11 +13,6 @@ using glm::dvec3;
 using glm::ivec3;
 
 namespace {
-
-gpu::Device& device() {
-    static gpu::Device only({gpu::DeviceChoice::Kind::software});
-    return only;
-}
 
 using Function = std::function<double(dvec3)>;
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "smooth/kernel.h"
+#include "support/device.h"
 
 #include <cmath>
 #include <functional>
@@ -13,12 +14,6 @@ using namespace eikonal;
 using glm::ivec3;
 
 namespace {
-
-/// The tests know one device: opening it takes longer than most of them.
-gpu::Device& device() {
-    static gpu::Device only({gpu::DeviceChoice::Kind::software});
-    return only;
-}
 
 volume::DenseGrid filled(ivec3 size, const std::function<double(ivec3)>& value) {
     volume::DenseGrid grid;

@@ -1,5 +1,4 @@
 eikonal_test(test_smooth SOURCES smooth/smooth_test.cpp smooth/plan_test.cpp smooth/sides_test.cpp)
 
-add_test(NAME volsmooth_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/smooth/volsmooth_test.sh
+eikonal_run(volsmooth_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/smooth/volsmooth_test.sh
                                         ${CMAKE_BINARY_DIR})
-set_tests_properties(volsmooth_manners PROPERTIES TIMEOUT 600)

@@ -2,7 +2,7 @@
 # The manners of volsmooth: what it answers, with which status, and what it leaves behind.
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=volsmooth
-. "$(dirname "$0")/../pipeline/manners.sh"
+. "$(dirname "$0")/../support/manners.sh"
 
 test_help() {
     expect 0 volsmooth --help

@@ -1,6 +1,6 @@
 // Cameras and what surrounds the scene: which ray belongs to which pixel, and what it sees.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "look.h"
+#include "support/look.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // Curved viewing rays against media that are solved on paper, and how errors shrink with the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "look.h"
+#include "support/look.h"
 
 using namespace eikonal;
 using namespace eikonal::view;

@@ -1,6 +1,6 @@
 // Path lengths where they are known to the last digit that a float holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "look.h"
+#include "support/look.h"
 
 using namespace eikonal;
 using namespace eikonal::view;

@@ -1,6 +1,6 @@
 // What a straight viewing ray gathers: emission, absorption, scattering, surfaces, and L/n².
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "look.h"
+#include "support/look.h"
 
 #include <numbers>
 

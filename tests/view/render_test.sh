@@ -2,7 +2,7 @@
 # The manners of render: what it answers, with which status, and what it leaves behind.
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=render
-. "$(dirname "$0")/../pipeline/manners.sh"
+. "$(dirname "$0")/../support/manners.sh"
 aim='--eye 0,0,5 --target 0,0,0'
 view="$aim --fov 30 --size 16x12"
 

@@ -1,6 +1,6 @@
 // Sharp boundaries as viewing rays meet them, on cases solved on paper.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "look.h"
+#include "support/look.h"
 
 using namespace eikonal;
 using namespace eikonal::view;

@@ -1,6 +1,5 @@
 eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/curved_test.cpp
              view/sharp_test.cpp view/length_test.cpp)
 
-add_test(NAME render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
+eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
                                      ${CMAKE_BINARY_DIR})
-set_tests_properties(render_manners PROPERTIES TIMEOUT 600)

@@ -1,6 +1,6 @@
 // Files that are no valid volume: each is refused with the place and the reason.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vdb_files.h"
+#include "support/vdb_files.h"
 
 #include <limits>
 #include <sys/resource.h>
@@ -51,11 +51,8 @@ TEST_F(VolumeTest, AFileThatIsNoVdbIsRefused) {
 TEST_F(VolumeTest, AFileCutShortIsRefusedWhereverItIsCut) {
     // With values that do not compress, so that the trees take more than the headers.
     auto noisy = floats("ior");
-    float value = 1;
-    for (auto voxel = noisy->beginValueOn(); voxel; ++voxel) voxel.setValue(value *= 1.001f);
-    noisy->tree().voxelizeActiveTiles();
     for (int i = 0; i < 512; ++i)
-        noisy->tree().setValueOn({i % 8, i / 8 % 8, i / 64}, 1 + static_cast<float>(i) / 700);
+        noisy.set({i % 8, i / 8 % 8, i / 64}, 1 + static_cast<float>(i) / 700);
     vdb("whole.vdb", {noisy, vectors("absorption", {1, 2, 3})});
     const std::string whole = bytesOf("whole.vdb");
     ASSERT_NO_THROW(Volume::open(at("whole.vdb")));
@@ -89,8 +86,7 @@ TEST_F(VolumeTest, AChangedByteNeverCrashesTheReader) {
 }
 
 TEST_F(VolumeTest, AVolumeWithoutAnActiveVoxelIsRefused) {
-    auto empty = openvdb::FloatGrid::create(1);
-    empty->setName("ior");
+    const VdbGrid empty = emptyFloats("ior", 1);
     for (const bool statistics : {true, false})
         expectError(ExitStatus::data, {"a.vdb", "no active voxel"},
                     [&] { Volume::open(vdb("a.vdb", {empty}, {}, statistics)); });
@@ -98,16 +94,14 @@ TEST_F(VolumeTest, AVolumeWithoutAnActiveVoxelIsRefused) {
 }
 
 TEST_F(VolumeTest, AVolumeBeyondAllMemoryIsRefused) {
-    auto far = openvdb::FloatGrid::create(1);
-    far->setName("ior");
-    far->tree().setValueOn({-1000000000, 0, 0}, 2);
-    far->tree().setValueOn({1500000000, 0, 0}, 2); // apart by more than an int holds
+    VdbGrid far = emptyFloats("ior", 1);
+    far.set({-1000000000, 0, 0}, 2);
+    far.set({1500000000, 0, 0}, 2); // apart by more than an int holds
     expectError(ExitStatus::data, {"a.vdb", "2500000001 x 1 x 1"},
                 [&] { Volume::open(vdb("a.vdb", {far})); });
-    auto large = openvdb::FloatGrid::create(1);
-    large->setName("ior");
-    large->tree().setValueOn({0, 0, 0}, 2);
-    large->tree().setValueOn({1000000, 1000000, 1000000}, 2);
+    VdbGrid large = emptyFloats("ior", 1);
+    large.set({0, 0, 0}, 2);
+    large.set({1000000, 1000000, 1000000}, 2);
     vdb("b.vdb", {large});
     const Volume volume = Volume::open(at("b.vdb"));
     expectError(ExitStatus::memory, {"b.vdb", "'ior'", "bytes"},
@@ -115,49 +109,40 @@ TEST_F(VolumeTest, AVolumeBeyondAllMemoryIsRefused) {
 }
 
 TEST_F(VolumeTest, AGridOnAnotherTransformIsRefused) {
-    const auto refused = [this](const openvdb::math::Transform::Ptr& transform,
+    const auto refused = [this](const std::function<void(VdbGrid&)>& place,
                                 const std::vector<std::string>& words) {
-        auto other = floats("other");
-        other->setTransform(transform);
+        VdbGrid other = floats("other");
+        place(other);
         expectError(ExitStatus::data, words, [&] {
             Volume::open(vdb("a.vdb", {floats("ior"), other}));
         });
     };
-    using openvdb::math::Transform;
-    auto moved = Transform::createLinearTransform(1);
-    moved->postTranslate({0, 0.01, 0});
-    refused(moved, {"a.vdb", "'other'", "'ior'"});
-    refused(Transform::createLinearTransform(1.001), {"transform"});
-    auto hair = Transform::createLinearTransform(1);
-    hair->postTranslate({0, 1e-9, 0}); // what a writer in float would leave
-    auto same = floats("other");
-    same->setTransform(hair);
+    refused([](VdbGrid& grid) { grid.translate({0, 0.01, 0}); }, {"a.vdb", "'other'", "'ior'"});
+    refused([](VdbGrid& grid) { grid.setVoxelSize(1.001); }, {"transform"});
+    VdbGrid same = floats("other");
+    same.translate({0, 1e-9, 0}); // what a writer in float would leave
     EXPECT_NO_THROW(Volume::open(vdb("b.vdb", {floats("ior"), same})));
 }
 
 TEST_F(VolumeTest, VoxelsThatAreNoCubesAreRefused) {
-    using openvdb::math::Mat4d;
-    using openvdb::math::Transform;
-    const auto refused = [this](const Transform::Ptr& transform, const std::string& word) {
-        auto grid = floats("ior");
-        grid->setTransform(transform);
+    const auto refused = [this](const std::function<void(VdbGrid&)>& place,
+                                const std::string& word) {
+        VdbGrid grid = floats("ior");
+        place(grid);
         expectError(ExitStatus::data, {"a.vdb", "'ior'", word},
                     [&] { Volume::open(vdb("a.vdb", {grid})); });
     };
-    auto flat = Transform::createLinearTransform(1);
-    flat->preScale({1, 1, 2});
-    refused(flat, "expected cubes");
-    refused(Transform::createLinearTransform(
-                Mat4d(1., 0., 0., 0., 0.5, 1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1.)),
-            "expected cubes");
-    refused(Transform::createFrustumTransform(openvdb::BBoxd({0, 0, 0}, {8, 8, 8}), 0.5, 1, 0.1),
-            "not linear");
+    refused([](VdbGrid& grid) { grid.preScale({1, 1, 2}); }, "expected cubes");
+    glm::dmat4 sheared(1);
+    sheared[1][0] = 0.5;
+    refused([&](VdbGrid& grid) { grid.setWorldFromIndex(sheared); }, "expected cubes");
+    refused([](VdbGrid& grid) { grid.setFrustum(); }, "not linear");
 }
 
 TEST_F(VolumeTest, AGridOfTheWrongTypeIsRefused) {
-    vdb("a.vdb",
-        {vectors("ior", {1, 1, 1}), floats("absorption"),
-         block<openvdb::DoubleGrid>("opacity", 1, 0), block<openvdb::Int32Grid>("counts", 1, 0)});
+    vdb("a.vdb", {vectors("ior", {1, 1, 1}), floats("absorption"),
+                  block("opacity", VdbGrid::Type::float64, glm::dvec3(1), glm::dvec3(0)),
+                  block("counts", VdbGrid::Type::int32, glm::dvec3(1), glm::dvec3(0))});
     const Volume volume = Volume::open(at("a.vdb"));
     expectError(ExitStatus::data, {"a.vdb: grid 'ior'", "vec3s", "expected float"},
                 [&] { volume.has("ior"); });
@@ -189,7 +174,7 @@ TEST_F(VolumeTest, AValueOutOfItsRangeIsNamedWithItsVoxel) {
                             {"anything", kNan, "is NaN"}};
     for (const Case& c : scalars) {
         auto grid = floats(c.grid, 0.5f, 0.5f);
-        grid->tree().setValueOn({1, 2, 3}, c.value);
+        grid.set({1, 2, 3}, c.value);
         vdb("a.vdb", {grid});
         const Volume volume = Volume::open(at("a.vdb"));
         expectError(ExitStatus::data,
@@ -206,9 +191,9 @@ TEST_F(VolumeTest, AValueOutOfItsRangeIsNamedWithItsVoxel) {
     for (const Case& c : coefficients)
         for (int component = 0; component < 3; ++component) {
             auto grid = vectors(c.grid, {0.5f, 0.5f, 0.5f});
-            openvdb::Vec3s value(0.5f);
+            glm::dvec3 value(0.5);
             value[component] = c.value;
-            grid->tree().setValueOn({1, 2, 3}, value);
+            grid.set({1, 2, 3}, value);
             vdb("a.vdb", {grid});
             const Volume volume = Volume::open(at("a.vdb"));
             expectError(ExitStatus::data, {c.grid, "voxel (1, 2, 3)", c.says},
@@ -218,7 +203,7 @@ TEST_F(VolumeTest, AValueOutOfItsRangeIsNamedWithItsVoxel) {
 
 TEST_F(VolumeTest, TheEndsOfARangeAreWithinIt) {
     for (const float value : {0.0f, 1.0f}) {
-        vdb("a.vdb", {floats("opacity", value, 0), vectors("absorption", openvdb::Vec3s(value))});
+        vdb("a.vdb", {floats("opacity", value, 0), vectors("absorption", glm::dvec3(value))});
         const Volume volume = Volume::open(at("a.vdb"));
         EXPECT_NO_THROW(volume.dense("opacity", volume.domain()));
         EXPECT_NO_THROW(volume.dense("absorption", volume.domain()));
@@ -226,16 +211,16 @@ TEST_F(VolumeTest, TheEndsOfARangeAreWithinIt) {
 }
 
 TEST_F(VolumeTest, BackgroundsAreHeldToTheSameRanges) {
-    const auto refused = [this](const openvdb::GridBase::Ptr& grid, const std::string& says) {
+    const auto refused = [this](const VdbGrid& grid, const std::string& says) {
         vdb("a.vdb", {grid});
         const Volume volume = Volume::open(at("a.vdb"));
-        expectError(ExitStatus::data, {"a.vdb", grid->getName(), "background", says},
-                    [&] { volume.background(grid->getName(), glm::vec3(0)); });
+        expectError(ExitStatus::data, {"a.vdb", grid.name(), "background", says},
+                    [&] { volume.background(grid.name(), glm::vec3(0)); });
     };
     refused(floats("ior", 1.5f, 0), "is 0, expected > 0");
     refused(floats("ior", 1.5f, kNan), "is NaN");
     refused(floats("anisotropy", 0, -1), "expected between -1 and 1");
-    refused(block<openvdb::Vec3SGrid>("absorption", openvdb::Vec3s(0), {0, 0, -1}), ">= 0");
+    refused(block("absorption", VdbGrid::Type::vector, glm::dvec3(0), {0, 0, -1}), ">= 0");
     vdb("a.vdb", {floats("ior")});
     EXPECT_EQ(Volume::open(at("a.vdb")).background("absorption", glm::vec3(7)), glm::vec3(7));
 }

@@ -1,9 +1,7 @@
 // Level sets, the objects they bound, and grids of an object's own.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vdb_files.h"
+#include "support/vdb_files.h"
 #include "volume/contract.h"
-
-#include <openvdb/tools/LevelSetUtil.h>
 
 using namespace eikonal;
 using namespace eikonal::volume;
@@ -47,15 +45,16 @@ TEST_F(VolumeTest, ALevelSetIsCutToItsBandAndKeepsItsSign) {
     for (size_t i = 0; i < values.values.size(); ++i) // 4 voxels are 2 units
         ASSERT_EQ(found.values[i], glm::clamp(values.values[i], -2.0f, 2.0f)) << i;
     EXPECT_EQ(back.background("sdf", glm::vec3(0)).x, 2);
-    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("a.vdb", "sdf"));
-    EXPECT_EQ(grid->getGridClass(), openvdb::GRID_LEVEL_SET);
-    openvdb::Index64 active = 0;
+    const VdbGrid grid = gridIn("a.vdb", "sdf");
+    EXPECT_EQ(grid.type(), "float");
+    EXPECT_TRUE(grid.isLevelSet());
+    std::uint64_t active = 0;
     for (const float value : values.values) active += std::abs(value) < 2;
-    EXPECT_EQ(grid->activeVoxelCount(), active);
-    EXPECT_TRUE(grid->tree().isValueOff({0, 0, 0}));
-    EXPECT_EQ(grid->tree().getValue({0, 0, 0}), -2);
+    EXPECT_EQ(grid.activeVoxels(), active);
+    EXPECT_FALSE(grid.isActive({0, 0, 0}));
+    EXPECT_EQ(grid.valueAt({0, 0, 0}), -2);
     // Other programs read it as a level set: what OpenVDB calls its inside is the ball.
-    EXPECT_TRUE(openvdb::tools::sdfInteriorMask(*grid)->tree().isValueOn({0, 0, 0}));
+    EXPECT_TRUE(grid.isInside({0, 0, 0}));
 }
 
 TEST_F(VolumeTest, ObjectsComeBackThoseThatWinFirst) {
@@ -91,16 +90,16 @@ TEST_F(VolumeTest, LevelSetsThatSayWhatCantBeAreRefused) {
     expectError(ExitStatus::data, {"a.vdb", "'sdf.medium'", "expected another name"},
                 [&] { Volume::open(vdb("a.vdb", {floats("sdf.medium")})).objects(); });
     auto other = floats("sdf.b");
-    other->insertMeta("eikonal:object", openvdb::StringMetadata("a"));
+    other.setMeta("eikonal:object", "a");
     expectError(ExitStatus::data, {"'sdf.b'", "bounds 'a'", "one level set an object"}, [&] {
         Volume::open(vdb("a.vdb", {floats("sdf.a"), other})).objects();
     });
     auto uneven = floats("sdf.half");
-    uneven->insertMeta("eikonal:priority", openvdb::FloatMetadata(0.5f));
+    uneven.setMeta("eikonal:priority", 0.5f);
     expectError(ExitStatus::data, {"'sdf.half'", "eikonal:priority", "float 0.5", "int32"},
                 [&] { Volume::open(vdb("a.vdb", {uneven})).objects(); });
     auto number = floats("sdf");
-    number->insertMeta("eikonal:object", openvdb::Int32Metadata(1));
+    number.setMeta("eikonal:object", 1);
     expectError(ExitStatus::data, {"eikonal:object", "expected a string"},
                 [&] { Volume::open(vdb("a.vdb", {number})).objects(); });
     expectError(ExitStatus::data, {"'sdf.v'", "vec3s", "expected float"}, [&] {
@@ -120,7 +119,7 @@ TEST_F(VolumeTest, AConstantGridHasNoActiveVoxelAndComesBack) {
     EXPECT_EQ(back.constant("sdf"), std::nullopt);
     EXPECT_EQ(back.dense("ior.glass", {{0, 0, 0}, {1, 0, 0}}).values,
               (std::vector<float>{1.5f, 1.5f}));
-    EXPECT_EQ(gridIn("a.vdb", "ior.glass")->activeVoxelCount(), 0u);
+    EXPECT_EQ(gridIn("a.vdb", "ior.glass").activeVoxels(), 0u);
     EXPECT_EQ(back.domain(), volume.domain()); // it is as large as what varies
     expectError(ExitStatus::data, {"no grid 'ior.air'"}, [&] { back.constant("ior.air"); });
     expectError(ExitStatus::internal, {"'smoke'"},
@@ -144,9 +143,7 @@ TEST_F(VolumeTest, AnObjectsOwnGridHasTheRuleOfTheGrid) {
                 [&] { volume.has("anisotropy.glass"); });
     expectError(ExitStatus::data, {"'ior.air'", "voxel (0, 0, 0) is -2, expected > 0"},
                 [&] { volume.dense("ior.air", volume.domain()); });
-    auto empty = openvdb::FloatGrid::create(-3);
-    empty->setName("ior.dark");
-    const Volume dark = Volume::open(vdb("b.vdb", {floats("ior"), empty}));
+    const Volume dark = Volume::open(vdb("b.vdb", {floats("ior"), emptyFloats("ior.dark", -3)}));
     expectError(ExitStatus::data, {"'ior.dark'", "is -3, expected > 0"},
                 [&] { dark.constant("ior.dark"); });
 }

@@ -1,8 +1,7 @@
 eikonal_test(test_volume SOURCES volume/volume_test.cpp volume/bad_volume_test.cpp
                      volume/objects_test.cpp
-             LIBRARIES Imath::Imath)
+             LIBRARIES test_support)
 
 # Small analytic scenes for the tests of every stage.
 add_executable(make_volume ${CMAKE_CURRENT_SOURCE_DIR}/volume/make_volume.cpp)
 target_link_libraries(make_volume PRIVATE libcore)
-set_target_properties(make_volume PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

@@ -1,6 +1,6 @@
 // What a volume keeps on its way through a file or a stream.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vdb_files.h"
+#include "support/vdb_files.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <iostream>
@@ -80,7 +80,7 @@ TEST_F(VolumeTest, StandsInTheWorldWhereOpenVdbSaysToo) {
     const auto grid = gridIn("a.vdb", "ior");
     const glm::dvec4 voxel(1, 5, 7, 1);
     const glm::dvec4 ours = turnedFrame().worldFromIndex * voxel;
-    const openvdb::Vec3d theirs = grid->transform().indexToWorld(openvdb::Vec3d(1, 5, 7));
+    const glm::dvec3 theirs = grid.worldFromIndex({1, 5, 7});
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(ours[i], theirs[i], 1e-12); // double, values near 50
     const glm::dvec4 back = turnedFrame().indexFromWorld() * ours;
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(back[i], voxel[i], 1e-12); // as above, over 0.25
@@ -112,12 +112,11 @@ TEST_F(VolumeTest, VoxelsMayBeOfAnySizeThatOpenVdbHolds) {
 }
 
 TEST_F(VolumeTest, TheDomainIsTheBoxOfAllActiveVoxels) {
-    auto a = openvdb::FloatGrid::create(1), b = openvdb::FloatGrid::create(0);
-    a->setName("a");
-    b->setName("b");
-    a->fill({{0, 0, 0}, {3, 4, 5}}, 2);
-    a->fill({{-90, 0, 0}, {-80, 4, 5}}, 2, false); // values that are not active count for nothing
-    b->fill({{-20, 2, 2}, {-20, 2, 40}}, 1);
+    VdbGrid a = emptyFloats("a", 1), b = emptyFloats("b", 0);
+    a.fill({{0, 0, 0}, {3, 4, 5}}, glm::dvec3(2));
+    // Values that are not active count for nothing.
+    a.fill({{-90, 0, 0}, {-80, 4, 5}}, glm::dvec3(2), false);
+    b.fill({{-20, 2, 2}, {-20, 2, 40}}, glm::dvec3(1));
     const IndexBox wanted{{-20, 0, 0}, {3, 4, 40}};
     EXPECT_EQ(Volume::open(vdb("with.vdb", {a, b})).domain(), wanted);
     EXPECT_EQ(Volume::open(vdb("without.vdb", {a, b}, {}, false)).domain(), wanted);
@@ -152,38 +151,35 @@ TEST_F(VolumeTest, TheHistoryGrowsByALineAStage) {
 }
 
 TEST_F(VolumeTest, CopiesThroughWhatItDoesNotKnow) {
-    auto counts = block<openvdb::Int32Grid>("counts", 42, -1);
-    counts->setCreator("someone");
-    counts->insertMeta("note", openvdb::StringMetadata("kept"));
-    counts->insertMeta("weight", openvdb::DoubleMetadata(0.125));
-    auto mask = block<openvdb::BoolGrid>("mask", true, false);
-    openvdb::MetaMap metadata;
-    metadata.insertMeta("frame", openvdb::Int32Metadata(24));
-    vdb("a.vdb", {floats("ior"), counts, mask}, metadata);
+    VdbGrid counts = block("counts", VdbGrid::Type::int32, glm::dvec3(42), glm::dvec3(-1));
+    counts.setCreator("someone");
+    counts.setMeta("note", "kept");
+    counts.setMeta("weight", 0.125);
+    const VdbGrid mask = block("mask", VdbGrid::Type::boolean, glm::dvec3(1), glm::dvec3(0));
+    vdb("a.vdb", {floats("ior"), counts, mask}, {{"frame", 24}});
     write(Volume::open(at("a.vdb")), "b.vdb");
 
-    const auto back = openvdb::gridPtrCast<openvdb::Int32Grid>(gridIn("b.vdb", "counts"));
-    EXPECT_EQ(back->tree().getValue({3, 3, 3}), 42);
-    EXPECT_EQ(back->background(), -1);
-    EXPECT_TRUE(back->tree().hasSameTopology(counts->tree()));
-    EXPECT_EQ(back->getCreator(), "someone");
-    EXPECT_EQ(back->metaValue<std::string>("note"), "kept");
-    EXPECT_EQ(back->metaValue<double>("weight"), 0.125);
-    EXPECT_TRUE(gridIn("b.vdb", "mask")->isType<openvdb::BoolGrid>());
-    openvdb::io::File file(at("b.vdb"));
-    file.open();
-    EXPECT_EQ(file.getMetadata()->metaValue<int>("frame"), 24);
+    const VdbGrid back = gridIn("b.vdb", "counts");
+    EXPECT_EQ(back.type(), "int32");
+    EXPECT_EQ(back.valueAt({3, 3, 3}), 42);
+    EXPECT_EQ(back.background(), -1);
+    EXPECT_TRUE(back.hasTopologyOf(counts));
+    EXPECT_EQ(back.creator(), "someone");
+    EXPECT_EQ(back.meta("note"), VdbMeta("kept"));
+    EXPECT_EQ(back.meta("weight"), VdbMeta(0.125));
+    EXPECT_EQ(gridIn("b.vdb", "mask").type(), "bool");
+    EXPECT_EQ(metaIn("b.vdb", "frame"), VdbMeta(24));
 }
 
 TEST_F(VolumeTest, DoesNotReadWhatItIsNotAskedFor) {
     auto bad = floats("density");
-    bad->tree().setValueOn({1, 1, 1}, std::numeric_limits<float>::quiet_NaN());
+    bad.set({1, 1, 1}, std::numeric_limits<float>::quiet_NaN());
     vdb("a.vdb", {floats("ior"), bad});
     const Volume volume = Volume::open(at("a.vdb"));
     EXPECT_NO_THROW(volume.dense("ior", volume.domain()));
     EXPECT_NO_THROW(write(volume, "b.vdb"));
-    const auto back = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("b.vdb", "density"));
-    EXPECT_TRUE(std::isnan(back->tree().getValue({1, 1, 1}))) << "it was not copied as it was";
+    EXPECT_TRUE(std::isnan(gridIn("b.vdb", "density").valueAt({1, 1, 1})))
+        << "it was not copied as it was";
 }
 
 TEST_F(VolumeTest, ListsItsGrids) {
@@ -205,10 +201,12 @@ TEST_F(VolumeTest, ReadsGridsUnderOtherNames) {
     for (float& value : more.values) value += 1;
     volume.put("ior", volume.domain(), more, {.allActive = true});
     write(volume, "b.vdb");
-    const auto replaced = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("b.vdb", "density"));
-    EXPECT_EQ(replaced->tree().getValue({2, 2, 2}), 2.25f);
-    const auto other = openvdb::gridPtrCast<openvdb::FloatGrid>(gridIn("b.vdb", "ior"));
-    EXPECT_EQ(other->tree().getValue({2, 2, 2}), 3);
+    const VdbGrid replaced = gridIn("b.vdb", "density");
+    EXPECT_EQ(replaced.type(), "float");
+    EXPECT_EQ(replaced.valueAt({2, 2, 2}), 2.25);
+    const VdbGrid other = gridIn("b.vdb", "ior");
+    EXPECT_EQ(other.type(), "float");
+    EXPECT_EQ(other.valueAt({2, 2, 2}), 3);
     expectError(ExitStatus::data, {"a.vdb", "no grid 'smoke'", "density", "ior"}, [&] {
         Volume::open(at("a.vdb"), {{"ior", "smoke"}});
     });
@@ -224,20 +222,20 @@ TEST_F(VolumeTest, PutMarksAsActiveWhatIsAskedFor) {
     volume.put("some", box, values, {.background = glm::vec3(0.5f)});
     volume.put("all", box, values, {.background = glm::vec3(0.5f), .allActive = true});
     write(volume, "a.vdb");
-    EXPECT_EQ(gridIn("a.vdb", "some")->activeVoxelCount(), 1u);
-    EXPECT_EQ(gridIn("a.vdb", "all")->activeVoxelCount(), 512u);
+    EXPECT_EQ(gridIn("a.vdb", "some").activeVoxels(), 1u);
+    EXPECT_EQ(gridIn("a.vdb", "all").activeVoxels(), 512u);
     EXPECT_EQ(volume.dense("all", box).values, values.values);
     EXPECT_EQ(volume.background("all", glm::vec3(0)).x, 0.5f);
 }
 
 TEST_F(VolumeTest, PutKeepsWhatTheReplacedGridSaidOfItself) {
     auto old = floats("ior");
-    old->fill({{0, 0, 0}, {1, 1, 1}}, 1, true); // active, though background
-    old->setGridClass(openvdb::GRID_LEVEL_SET);
-    old->setCreator("someone");
-    old->insertMeta("note", openvdb::StringMetadata("kept"));
+    old.fill({{0, 0, 0}, {1, 1, 1}}, glm::dvec3(1), true); // active, though background
+    old.setLevelSet();
+    old.setCreator("someone");
+    old.setMeta("note", "kept");
     auto wind = vectors("wind", {1, 2, 3});
-    wind->setVectorType(openvdb::VEC_COVARIANT);
+    wind.setCovariant();
     vdb("a.vdb", {old, wind});
     Volume volume = Volume::open(at("a.vdb"));
     DenseGrid values = volume.dense("ior", volume.domain());
@@ -246,16 +244,16 @@ TEST_F(VolumeTest, PutKeepsWhatTheReplacedGridSaidOfItself) {
     volume.put("wind", volume.domain(), volume.dense("wind", volume.domain()), {});
     write(volume, "b.vdb");
     const auto back = gridIn("b.vdb", "ior");
-    EXPECT_EQ(back->getGridClass(), openvdb::GRID_LEVEL_SET);
-    EXPECT_EQ(back->getCreator(), "someone");
-    EXPECT_EQ(back->metaValue<std::string>("note"), "kept");
-    EXPECT_EQ(back->activeVoxelCount(), 512u);
-    EXPECT_EQ(back->metaValue<openvdb::Int64>("file_voxel_count"), 512);
-    EXPECT_EQ(gridIn("b.vdb", "wind")->getVectorType(), openvdb::VEC_COVARIANT);
+    EXPECT_TRUE(back.isLevelSet());
+    EXPECT_EQ(back.creator(), "someone");
+    EXPECT_EQ(back.meta("note"), VdbMeta("kept"));
+    EXPECT_EQ(back.activeVoxels(), 512u);
+    EXPECT_EQ(back.meta("file_voxel_count"), VdbMeta(std::int64_t{512}));
+    EXPECT_TRUE(gridIn("b.vdb", "wind").isCovariant());
 
     volume.put("ior", volume.domain(), values, {.background = glm::vec3(1)});
     write(volume, "c.vdb");
-    EXPECT_EQ(gridIn("c.vdb", "ior")->activeVoxelCount(), 512u - 8 - 1);
+    EXPECT_EQ(gridIn("c.vdb", "ior").activeVoxels(), 512u - 8 - 1);
 }
 
 TEST_F(VolumeTest, PutRefusesWhatNoGridMayHold) {

@@ -1,6 +1,6 @@
 // Coverage: shapes whose share of each voxel is known on paper, and the strips against the whole.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scratch.h"
+#include "support/lattice.h"
 
 #include <gtest/gtest.h>
 #include <random>

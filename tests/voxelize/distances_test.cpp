@@ -1,7 +1,7 @@
 // Distances against every triangle tried one by one, in another way; sides against counted samples.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/read.h"
-#include "scratch.h"
+#include "support/lattice.h"
 #include "voxelize/distances.h"
 
 #include <fstream>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/error.h"
 #include "base/text.h"
-#include "scratch.h"
+#include "support/lattice.h"
 #include "voxelize/accept.h"
 #include "voxelize/voxelize.h"
 

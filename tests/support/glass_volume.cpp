@@ -1,6 +1,6 @@
 // Scenes of glass twice over, as the judge's solids and as voxels, and what a picture makes of
 // them. SPDX-License-Identifier: GPL-3.0-or-later
-#include "glass_volume.h"
+#include "support/glass_volume.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lightsim/lightsim.h"
-#include "test_volume.h"
+#include "support/test_volume.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

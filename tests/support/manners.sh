@@ -1,10 +1,11 @@
 # What the tests of tools' manners share: sourced by them, with $tool set, with their arguments.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# SCRIPT BUILD_FOLDER [NAME]: every function test_NAME of the script, or only the one named.
+# SCRIPT BUILD_FOLDER [NAME... | -NAME...]: every function test_NAME of the script, or only those
+# named, or all but those named.
 set -u
 build=$(cd "$1" && pwd) || exit 2
-only=${2:-}
+names=" ${*:2} "
 PATH=$build/bin:$build/tests:$PATH
 script=$(cd "$(dirname "$0")" && pwd)/$(basename "$0")
 folder=$(mktemp -d) && cd "$folder" || exit 2
@@ -84,7 +85,11 @@ pipe_breaks() {
 # run_tests: all of the script's, and the exit status.
 run_tests() {
     for name in $(declare -F | sed -n 's/^declare -f test_//p'); do
-        [ -n "$only" ] && [ "$name" != "$only" ] && continue
+        case $names in
+        *" $name "*) ;;
+        *" -$name "*) continue ;;
+        *" "[!\ -]*) continue ;;
+        esac
         "test_$name"
     done
     [ $failures -eq 0 ] && echo "all passed" || echo "$failures failed"

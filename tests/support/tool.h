@@ -9,7 +9,7 @@
 #include <string>
 #include <sys/wait.h>
 
-namespace eikonal::hard {
+namespace eikonal {
 
 struct Ran {
     int status = 0;
@@ -49,4 +49,4 @@ inline void refused(int status, const std::vector<std::string>& words, const std
     }
 }
 
-} // namespace eikonal::hard
+} // namespace eikonal

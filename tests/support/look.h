@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "../lightsim/test_volume.h"
+#include "support/test_volume.h"
 #include "view/view.h"
 
 #include <cmath>

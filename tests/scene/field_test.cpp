@@ -1,8 +1,8 @@
 // The index field as rays sample it, against fields whose values and derivatives are known.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../lightsim/test_volume.h"
 #include "gpu/program.h"
 #include "scene/field.h"
+#include "support/test_volume.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

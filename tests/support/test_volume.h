@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gpu/device.h"
+#include "support/device.h"
 #include "volume/volume.h"
 
 #include <functional>
@@ -10,12 +10,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace eikonal {
-
-/// The tests know one device: opening it takes longer than most of them.
-inline gpu::Device& device() {
-    static gpu::Device only({gpu::DeviceChoice::Kind::software});
-    return only;
-}
 
 /// A volume of `size` voxels whose domain's low corner is the world's origin before `placed` moves
 /// it. All voxels of every grid are active, so that the domain is the whole box.

@@ -2,8 +2,8 @@
 // them. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "../view/look.h"
 #include "judge/glass.h"
+#include "support/look.h"
 
 #include <functional>
 #include <vector>

@@ -1,1 +1,0 @@
-eikonal_test(test_medium SOURCES medium/field_test.cpp)

@@ -1,0 +1,1 @@
+eikonal_test(test_scene SOURCES scene/field_test.cpp)
