@@ -34,10 +34,15 @@ Row added(Row a, Row b) {
                a.after2 + b.after2);
 }
 
+// Light beyond the range of floats stays infinite, and is told of when it is stored.
+bool isFinite(float value) {
+    return abs(value) < 3.4e38;
+}
+
 // How values grow beyond a face whose first ones inside these are: by the lesser of two steps that go
 // the same way, else not at all. So what is made of the first one is at most an eighth more than it.
 float growthBeyond(float first, float second, float third) {
-    if (min(first, min(second, third)) <= 0.0) return 1.0;
+    if (min(first, min(second, third)) <= 0.0 || !isFinite(first + second + third)) return 1.0;
     float near = first / second;
     float next = second / third;
     if ((near - 1.0) * (next - 1.0) <= 0.0) return 1.0;
@@ -93,7 +98,8 @@ float excess(float before, float here, float after) {
 // neighbours do not tell one exponential: noise, edges of shadows, the surroundings of a lamp.
 float shareBefore(Row row) {
     float difference = 0.5 * (row.before - row.after); // of the two halves
-    if (difference == 0.0) return 0.5;
+    if (difference == 0.0 || !isFinite(abs(row.before2) + abs(row.here) + abs(row.after2)) ||
+        !isFinite(difference)) return 0.5;
     float mean = 0.25 * (row.before + 2.0 * row.here + row.after);
     vec3 found = vec3(excess(row.before2, row.before, row.here),
                       excess(row.before, row.here, row.after),
@@ -105,7 +111,7 @@ float shareBefore(Row row) {
 }
 
 float meanOf(Row row, float share) {
-    return mix(0.5 * (row.here + row.after), 0.5 * (row.before + row.here), share);
+    return (1.0 - share) * (0.5 * (row.here + row.after)) + share * (0.5 * (row.before + row.here));
 }
 
 void main() {
