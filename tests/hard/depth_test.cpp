@@ -1,6 +1,6 @@
 // Hard cases of media: optical depths from 1e-8 to 1e3 a voxel, none at all, sharp phase functions.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../optics/shader_lib.h"
+#include "support/shader_lib.h"
 #include "hard.h"
 
 using namespace eikonal;

@@ -1,6 +1,6 @@
 // The shaders' pure functions, in double, against cases solved on paper.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shader_lib.h"
+#include "support/shader_lib.h"
 
 #include <array>
 #include <functional>

@@ -1,6 +1,6 @@
 // The ray steps in double: exact where they must be, and of the order they claim.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shader_lib.h"
+#include "support/shader_lib.h"
 
 #include <functional>
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@ PATH=$build/bin:$build/tests:$PATH
 script=$(cd "$(dirname "$0")" && pwd)/$(basename "$0")
 folder=$(mktemp -d) && cd "$folder" || exit 2
 trap 'rm -rf "$folder"' EXIT
+: >stdout >stderr
 failures=0
 
 # fail TEXT: notes a failure of the test that runs.
@@ -42,12 +43,15 @@ nothing_left() {
     rm -f $left
 }
 
-# refuses STATUS ARGUMENTS...: the tool fails so, and leaves nothing.
+# refuses STATUS ARGUMENTS...: the tool fails so, prints nothing, and leaves nothing.
 refuses() {
-    local wanted=$1
+    local wanted=$1 before
     shift
+    before=$(ls -A)
     expect "$wanted" "$tool" "$@"
+    [ -s stdout ] && fail "'$*': it wrote to standard output"
     nothing_left
+    [ "$before" = "$(ls -A)" ] || fail "'$*': other files than before: $(ls -A | tr '\n' ' ')"
 }
 
 says() { grep -q -e "$1" stderr || fail "expected '$1' on standard error"; }
