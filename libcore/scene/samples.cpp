@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/samples.h"
 
+#include "scene/bias.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -132,35 +134,37 @@ std::vector<glm::vec4> gradientSamples(const Potential& own, const Potential& st
     const ivec3 outer = own.outer(), padded = own.size + 2;
     const std::ptrdiff_t strides[] = {1, outer.x, std::ptrdiff_t{outer.x} * outer.y};
     std::vector<glm::vec4> samples(static_cast<size_t>(padded.x) * padded.y * count);
-    const float third = unbiased ? 0.25f : 0.0f, across = unbiased ? 1.0f / 12 : 0.0f;
     const double square = own.squareAtZero; // in double, so that n comes back to its last digit
     const auto indexOf = [=](float potential) {
         return static_cast<float>(std::sqrt(square + 2 * static_cast<double>(potential)));
     };
+    Bias bias;
+    if (unbiased)
+        bias = biasOf(stepped, ivec3(-2, -2, first - 2), ivec3(padded.x, padded.y, count) + 2);
+    const std::ptrdiff_t steps[] = {1, bias.size.x, std::ptrdiff_t{bias.size.x} * bias.size.y};
     forEachSlice(count, [&](int z) {
         for (int y = 0; y < padded.y; ++y) {
             const std::ptrdiff_t row = (first + z + kMargin - 1) * strides[2] +
                                        (y + kMargin - 1) * strides[1] + kMargin - 1;
             glm::vec4* out = samples.data() + (static_cast<size_t>(z) * padded.y + y) * padded.x;
-            for (int axis = 0; axis < 3; ++axis) {
-                const std::ptrdiff_t a = strides[axis], b = strides[(axis + 1) % 3],
-                                     c = strides[(axis + 2) % 3];
-                for (int x = 0; x < padded.x; ++x) {
-                    const float* p = stepped.values.data() + row + x;
-                    const float near = p[a] - p[-a];
-                    const float wide = p[2 * a] - p[-2 * a] - 2 * near;
-                    const float sides = (p[b + a] - p[b - a]) + (p[a - b] - p[-a - b]) +
-                                        (p[c + a] - p[c - a]) + (p[a - c] - p[-a - c]);
-                    out[x][axis] = 0.5f * (near - third * wide - across * (sides - 4 * near));
-                }
-            }
             for (int x = 0; x < padded.x; ++x) {
+                const float* p = stepped.values.data() + row + x;
+                for (int axis = 0; axis < 3; ++axis)
+                    out[x][axis] = 0.5f * (p[strides[axis]] - p[-strides[axis]]);
+                out[x].w = indexOf(own.values[static_cast<size_t>(row + x)]);
+            }
+            if (!unbiased) continue;
+            for (int x = 0; x < padded.x; ++x) {
+                const glm::vec3* off =
+                    bias.values.data() + bias.at(ivec3(x - 1, y - 1, first + z - 1));
+                for (int axis = 0; axis < 3; ++axis)
+                    out[x][axis] -= 0.5f * (off[steps[axis]][axis] - off[-steps[axis]][axis]);
                 const float* p = own.values.data() + row + x;
-                const float n = indexOf(*p);
+                const float n = out[x].w;
                 float curve = -6 * n;
                 for (const std::ptrdiff_t s : strides) curve += indexOf(p[s]) + indexOf(p[-s]);
                 // Overshoot beside a jump must not make the index vanish.
-                out[x].w = std::max(n - across * curve, 0.25f * n);
+                out[x].w = std::max(n - curve / 12, 0.25f * n);
             }
         }
     });

@@ -36,8 +36,9 @@ void correctForVerlet(Potential& potential, double tau);
 /// slices along z from `first` on. `own` is the potential of n, `stepped` the one that steps are
 /// made in. Plain samples are central differences, as the sources take them. Linear interpolation
 /// of those is off by 1/12 of the second differences along each axis on average over a cell, and
-/// central differences by 1/6 of the third. Unbiased samples have both taken off beforehand, which
-/// costs nothing on the way: what is left changes its sign within a voxel.
+/// central differences by 1/6 of the third. Unbiased samples have both taken off beforehand where
+/// the field is smooth (see biasOf()), which costs nothing on the way: what is left changes its
+/// sign within a voxel.
 std::vector<glm::vec4> gradientSamples(const Potential& own, const Potential& stepped,
                                        bool unbiased, int first, int count);
 

@@ -41,7 +41,8 @@ volume::Volume constantBut(bool varies, bool sharp) {
 dvec3 entryOf(const dvec3& eye, const dvec3& direction) {
     double enter = 0;
     for (int i = 0; i < 3; ++i)
-        enter = std::max(enter, std::min(-eye[i] / direction[i], (kSize[i] - eye[i]) / direction[i]));
+        enter =
+            std::max(enter, std::min(-eye[i] / direction[i], (kSize[i] - eye[i]) / direction[i]));
     return eye + enter * direction;
 }
 
@@ -88,19 +89,18 @@ double worstOf(const Mode& mode) {
 
 } // namespace
 
-// From where the ray enters to where it was found to leave. A float's rounding is 6e-8 at most: that of
-// what is stored; the index is that of the file to its last digit.
+// From where the ray enters to where it was found to leave. A float's rounding is 6e-8 at most:
+// that of what is stored; the index is that of the file to its last digit.
 TEST(ViewLengths, OpticalPathLengthOfAConstantMediumInEveryMode) {
     using enum Integrator;
     constexpr Interpolation kLinear = Interpolation::linear, kCubic = Interpolation::cubic;
-    for (const Mode& mode : {Mode{"straight", verlet, kLinear, false, false},
-                             Mode{"euler", euler, kLinear, true, false},
-                             Mode{"verlet", verlet, kLinear, true, false},
-                             Mode{"verlet cubic", verlet, kCubic, true, false},
-                             Mode{"sharma", sharma, kCubic, true, false},
-                             Mode{"rk4", rk4, kCubic, true, false},
-                             Mode{"adaptive", adaptive, kCubic, true, false},
-                             Mode{"sharp", verlet, kLinear, false, true}}) {
+    for (const Mode& mode :
+         {Mode{"straight", verlet, kLinear, false, false},
+          Mode{"euler", euler, kLinear, true, false}, Mode{"verlet", verlet, kLinear, true, false},
+          Mode{"verlet cubic", verlet, kCubic, true, false},
+          Mode{"sharma", sharma, kCubic, true, false}, Mode{"rk4", rk4, kCubic, true, false},
+          Mode{"adaptive", adaptive, kCubic, true, false},
+          Mode{"sharp", verlet, kLinear, false, true}}) {
         const double worst = worstOf(mode);
         EXPECT_LT(worst, 1e-7) << mode.name;
     }
