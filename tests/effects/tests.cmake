@@ -4,7 +4,7 @@ add_library(effects_parts STATIC effects/bindings.cpp effects/cases.cpp effects/
 target_link_libraries(effects_parts PUBLIC libcore)
 target_include_directories(effects_parts SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 
-eikonal_test(test_effects SOURCES effects/effects_test.cpp LIBRARIES effects_parts)
+eikonal_test(test_effects SOURCES effects/effects_test.cpp LIBRARIES effects_parts LONG "*")
 
 eikonal_program(effects SOURCES effects/main.cpp effects/measure.cpp effects/page.cpp
                 LIBRARIES effects_parts)

@@ -1,4 +1,4 @@
-eikonal_run(pipeline COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/pipeline/pipe_test.sh
+eikonal_run(pipeline LONG COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/pipeline/pipe_test.sh
                                ${CMAKE_BINARY_DIR})
 
 # Renders the golden pictures anew, to be looked at.
