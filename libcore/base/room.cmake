@@ -1,1 +1,1 @@
-eikonal_room(base SOURCES atomic_file.cpp history.cpp text.cpp)
+eikonal_room(base SOURCES atomic_file.cpp history.cpp input_file.cpp text.cpp)

@@ -14,7 +14,7 @@ namespace eikonal::image {
 /// What an EXR header says of the directions in a picture ('envmap' attribute).
 enum class Envmap {
     none,    ///< nothing: a lat-long map's pixel centres lie at (i + ½) / width
-    latLong, ///< ENVMAP_LATLONG: the outer pixels lie on the poles and on the seam, see latlong.h
+    latLong, ///< ENVMAP_LATLONG: the outer pixels lie on the poles and on the seam (ImfEnvmap.h)
     cube     ///< ENVMAP_CUBE, which nothing here reads as directions
 };
 

@@ -1,5 +1,5 @@
 eikonal_room(image
-    SOURCES exr_reader.cpp exr_writer.cpp image.cpp input.cpp latlong.cpp picture.cpp
+    SOURCES exr_reader.cpp exr_writer.cpp image.cpp input.cpp picture.cpp
             picture_module.cpp
     LIBRARIES OpenEXR::OpenEXR)
 

@@ -3,6 +3,7 @@
 #include "mesh/read.h"
 
 #include "base/error.h"
+#include "base/input_file.h"
 #include "base/text.h"
 #include "mesh/formats.h"
 #include "mesh/triangulate.h"
@@ -12,9 +13,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace eikonal::mesh {
 
@@ -26,23 +25,6 @@ std::string lowerCaseExtension(const std::string& path) {
     std::string extension = point == std::string::npos ? "" : name.substr(point);
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return extension;
-}
-
-/// A POSIX descriptor rather than a stream, for the reason of a failure.
-std::string readWhole(const std::string& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) throw MissingError(path + ": can't open: " + std::strerror(errno));
-    std::string bytes;
-    std::vector<char> block(1 << 20);
-    ssize_t got = 0;
-    do {
-        got = ::read(file, block.data(), block.size());
-        if (got > 0) bytes.append(block.data(), static_cast<size_t>(got));
-    } while (got > 0 || (got < 0 && errno == EINTR));
-    const int error = got < 0 ? errno : 0;
-    ::close(file);
-    if (error != 0) throw MissingError(path + ": can't read: " + std::strerror(error));
-    return bytes;
 }
 
 PolygonSoup parse(const std::string& path, const std::string& extension, std::string_view bytes) {

@@ -3,7 +3,7 @@
 #include "ball.h"
 
 #include "judge/snell.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "smooth/smooth.h"
 #include "voxelize/voxelize.h"
 

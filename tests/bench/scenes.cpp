@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench.h"
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "lightsim/lightsim.h"
 #include "mesh/read.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "smooth/smooth.h"
 #include "view/view.h"
 #include "voxelize/voxelize.h"

@@ -1,6 +1,6 @@
 // Hard cases of meshes, through mesh2vol: the right status, or the right volume.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "support/scratch.h"
 #include "support/tool.h"
 #include "volume/volume.h"

@@ -3,7 +3,7 @@
 #include "support/lit.h"
 
 #include "base/error.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace eikonal;
 using namespace eikonal::lightsim;

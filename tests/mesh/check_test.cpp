@@ -1,7 +1,7 @@
 // Meshes broken on purpose: each fault is seen, and nothing else is claimed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/check.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 #include <chrono>
 #include <gtest/gtest.h>

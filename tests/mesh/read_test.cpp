@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "support/scratch.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/check.h"
 #include "mesh/repair.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,7 +1,7 @@
 // The shapes that other tests lean on, and the winding number that judges.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/check.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "mesh/triangulate.h"
 
 #include <glm/gtc/constants.hpp>

@@ -1,6 +1,6 @@
 // The tree's answers against those of every triangle asked one by one.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "mesh/solid_boundary.h"
 #include "mesh/triangle_tree.h"
 

@@ -1,6 +1,6 @@
 // Walls of known thickness, and what is none: found where they are, whatever else is around.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "mesh/walls.h"
 
 #include <glm/gtc/constants.hpp>

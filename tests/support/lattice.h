@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "voxelize/coverage.h"
 
 #include <numeric>

@@ -1,6 +1,6 @@
 // Closed shapes of known size, for tests and benchmarks.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <cmath>
