@@ -44,11 +44,13 @@ test: packages
 
 test-all: packages
 	$(MAKE) all
+	cmake --build $(BUILD) -j $(JOBS) --target bench accuracy effects
 	cd $(BUILD) && $(CTEST)
 
 # Ratios within one run, in a table and in out/bench.json.
 bench: packages
 	$(MAKE) all
+	cmake --build $(BUILD) -j $(JOBS) --target bench
 	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
 	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench \
 	  --bunny data/bunny.off
@@ -58,6 +60,7 @@ bench: packages
 ACCURACY ?= full
 accuracy: packages
 	$(MAKE) all
+	cmake --build $(BUILD) -j $(JOBS) --target accuracy
 	mkdir -p docs/accuracy
 	$(BUILD)/tests/accuracy --work $(OUT)/accuracy --json $(OUT)/accuracy.json --effort $(ACCURACY) \
 	  --page docs/accuracy.md
@@ -66,12 +69,14 @@ accuracy: packages
 # What each effect costs, and what kernels without it leave out: docs/effects.md, out/effects.json.
 effects: packages
 	$(MAKE) all
+	cmake --build $(BUILD) -j $(JOBS) --target effects
 	mkdir -p $(OUT)
 	$(BUILD)/tests/effects --json $(OUT)/effects.json --page docs/effects.md --work $(OUT)/effects
 
 # The counts that test_effects holds kernels to, anew; look at what changed before committing.
 instructions: packages
 	$(MAKE) all
+	cmake --build $(BUILD) -j $(JOBS) --target effects
 	$(BUILD)/tests/effects --instructions tests/effects/instructions.txt --work $(OUT)/effects
 
 # docs/tools/*.md from --help, the tables of shaders/README.md from the shared headers.
