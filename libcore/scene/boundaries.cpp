@@ -118,7 +118,7 @@ std::pair<vec3, vec3> boundsOf(const Scene& scene) {
                         high = glm::max(high, ivec3(x, y, z));
                     }
     }
-    return {vec3(low) - 0.5f, vec3(high) + 0.5f};
+    return {vec3(low) - 0.6f, vec3(high) + 0.6f}; // so that one on a face of it is within
 }
 
 /// One axis of an exact squared distance transform: the lower envelope of parabolas (Felzenszwalb
@@ -185,6 +185,14 @@ Blocks farBlocks(ivec3 size, const std::vector<float>& nearest) {
     transform(blocks.distance, blocks.size);
     for (float& d : blocks.distance) d = std::sqrt(d);
     return blocks;
+}
+
+/// How far a voxel's centre is from the farthest point for which it is the nearest one, less what a
+/// filtered look-up makes good: half a voxel across each of the domain's faces that it lies on.
+float wayToFace(ivec3 voxel, ivec3 size) {
+    int faces = 0;
+    for (int axis = 0; axis < 3; ++axis) faces += voxel[axis] == 0 || voxel[axis] == size[axis] - 1;
+    return 0.5f * static_cast<float>(faces);
 }
 
 } // namespace
@@ -262,6 +270,7 @@ BoundaryTable tabulate(const Scene& scene) {
                 const size_t i = placeOf(size, x, y, z);
                 const size_t block = placeOf(blocks.size, x / kBlock, y / kBlock, z / kBlock);
                 nearest[i] = std::max(nearest[i], kBlock * blocks.distance[block] - slack);
+                nearest[i] = std::max(nearest[i] - wayToFace({x, y, z}, size), 0.0f);
                 if (alone && (table.objects[i] & 1u)) nearest[i] = -nearest[i];
             }
     });

@@ -82,7 +82,13 @@ void main() {
         photons[id].count = uvec4(kNone);
         return;
     }
-    uint objects = objectsAt(x);
+    // A proxy may be an object's own mesh, and then starts are on both sides of the boundary by chance: a
+    // voxel before it they would be surely before it, but where light grazes it.
+    float back = kObjects == 0 || startsAtLight
+                     ? 0.0
+                     : min(boxSpan(x, -direction, params.low.xyz, params.high.xyz).y, 1.0);
+    uint objects = objectsAt(x - back * direction, direction,
+                             back > kOnBoundary ? kTouch : kOnBoundary, startsAtLight);
     Photon photon;
     photon.place = vec4(x, 0.0);
     photon.wave = vec4(indexOf(regionOf(objects), x) * direction, 0.0);

@@ -10,7 +10,6 @@ const float kClose = 0.1;       // a zero so close is told from here [voxel],
 const float kBent = 3.0e-3;     // if the gradient turns by no more than that on the way [rad]
 const float kEnclosed = 2.0e-5; // a zero between points this close is at either [voxel]
 const int kMostLooks = 8192;    // more than along a plate of the longest domain
-const float kTouch = 0.1;       // objects this close touch [voxel]
 
 // A segment of a path, x at s in [0, extent]: start + f (first + f (second + f third)), f = s / extent.
 struct Segment {
@@ -179,16 +178,17 @@ Hit intersect(Segment segment, uint objects, float departs) {
     return hit;
 }
 
-// The same on a straight way, of which only what lies in the boundaries' box is searched.
+// The same on a straight way, of which only what lies in the boundaries' box is searched. A boundary on
+// the domain's face, where the way ends, is met.
 Hit intersectStraight(vec3 x, vec3 direction, float reach, uint objects, float departs) {
     vec2 span = boxSpan(x, direction, scene.low.xyz, scene.high.xyz);
     float from = max(span.x, 0.0);
-    float to = min(span.y, reach);
+    float to = min(span.y, reach + kOnBoundary);
     Hit hit = noHit(reach);
     if (to > from) {
         hit = intersect(straightSegment(x + from * direction, direction, to - from), objects,
                         from > 0.0 ? 0.0 : departs);
-        hit.s = hit.object < 0 ? reach : hit.s + from;
+        hit.s = hit.object < 0 ? reach : min(hit.s + from, reach);
     }
     return hit;
 }

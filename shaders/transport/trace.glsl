@@ -207,8 +207,8 @@ int endingOf(inout Path path, Step made, float tau, inout float share, inout Hit
         if (freeOf(path) < segment.extent) {
             hit = intersect(segment, path.objects, path.departs);
             path.steps += hit.looks;
-            if (hit.object >= 0 && hit.s <= share * segment.extent) {
-                share = hit.s / segment.extent;
+            if (hit.object >= 0 && hit.s <= share * segment.extent + kOnBoundary) {
+                share = min(hit.s / segment.extent, share);
                 ending = kHits;
             } else {
                 hit.object = -1;

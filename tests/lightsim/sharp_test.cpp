@@ -124,7 +124,7 @@ TEST(LightSharp, WhatASlabAbsorbsIsBooked) {
         EXPECT_NEAR(energy.absorbed[i] / energy.entered[i], share, 1e-3);
         EXPECT_NEAR(mean(found, {0, 0, 15}, {16, 16, 20}, c),
                     (1 - R) * (1 - R) * left / (1 - R * R * left * left), 1e-3);
-        EXPECT_EQ(found.counter("photons_too_deep"), 0);
+        EXPECT_EQ(found.counter("light_dropped_by_depth"), 0);
     }
 }
 
@@ -149,7 +149,8 @@ TEST(LightSharp, OutOfGlassLightIsRefractedOrTotallyReflected) {
         SCOPED_TRACE(degrees);
         const double sine = std::sin(degrees * M_PI / 180), cosine = std::sqrt(1 - sine * sine);
         const Distance under = [=](dvec3 p) { return cosine * (p.z - 16) - sine * (p.x - 24); };
-        const Lit found = lit(sceneVolume({48, 8, 32}, under, n), paramsOf({beam({0, 0, 1})}, 1 << 18));
+        const Lit found =
+            lit(sceneVolume({48, 8, 32}, under, n), paramsOf({beam({0, 0, 1})}, 1 << 18));
         const Energy& energy = found.stats.energy;
         const double out = n * sine;
         if (out >= 1) {
@@ -329,7 +330,37 @@ TEST(LightSharp, LightThatNeverLeavesIsLostAfterSoManyBoundaries) {
     // Just short of the critical angle some are reflected twelve times, by chance.
     const Energy& energy = found.stats.energy;
     EXPECT_NEAR(energy.lost[0] / energy.entered[0], caught, 0.01);
-    EXPECT_GT(found.counter("photons_too_deep"), 0.6 * found.counter("photons"));
+    EXPECT_NEAR(found.counter("light_dropped_by_depth"), caught, 0.01);
+}
+
+TEST(LightSharp, AnObjectsOwnMeshServesAsProxy) {
+    // Photons that start on the ball's own boundary are in front of it, all of them: they refract
+    // and take no other share of its light than those that come from the domain's faces.
+    const dvec3 centre(20.3, 19.6, 20.1);
+    const double radius = 12;
+    TestVolume scene = sceneVolume(ivec3(40), ball(centre, radius), 1.5);
+    scene.addVector("absorption", [](dvec3) { return dvec3(0.02); });
+    Params params = paramsOf({beam({0.3, -1, 0.2})}, 1 << 16);
+    params.maxDepth = 64;
+    const Lit open = lit(scene, params);
+    // Corners on the ball, so that facets are up to 0.06 voxels within it; and one a little larger.
+    for (const double scale : {1.0, 1.02}) {
+        SCOPED_TRACE(scale);
+        params.proxy.clear();
+        const mesh::TriangleMesh own = mesh::moved(mesh::icosphere(scale * radius, 4), centre);
+        for (const glm::uvec3& triangle : own.triangles)
+            for (int i = 0; i < 3; ++i) params.proxy.push_back(own.points[triangle[i]]);
+        const Lit found = lit(scene, params);
+        EXPECT_LT(found.counter("light_dropped_by_depth"), 1e-3);
+        double sum = 0, wanted = 0;
+        forEachVoxel(ivec3(40), [&](ivec3 p) {
+            if (glm::length(dvec3(p) + 0.5 - centre) > radius - 1) return;
+            sum += found.fluence(p);
+            wanted += open.fluence(p);
+        });
+        EXPECT_NEAR(sum / wanted, 1, 0.01);
+        EXPECT_NEAR(found.stats.energy.absorbed[0] / open.stats.energy.absorbed[0], 1, 0.01);
+    }
 }
 
 TEST(LightSharp, RunsRepeatAndSeedsDifferLittle) {

@@ -28,3 +28,63 @@ TEST(Sharp, AMirrorsTintColoursWhatItSendsBack) {
     // Roundings of floats are 1e-7 of 0.04 each; a handful of them.
     expectNear(look.colour(), 0.04 * dvec3(0.5, 1, 0.25), 1e-6);
 }
+
+namespace {
+
+/// Glass of 1.5 between two heights [voxel], in a domain of 24 voxels along each axis.
+TestVolume slabOfGlass(double low, double high) {
+    TestVolume slab(glm::ivec3(24));
+    slab.add("sdf", [=](dvec3 p) { return std::max(low - p.z, p.z - high); });
+    slab.constant("ior", 1.5);
+    return slab;
+}
+
+} // namespace
+
+TEST(Sharp, AnEyeOnABoundaryIsOnTheSideItLooksTo) {
+    // Parallel rays that start on the face of a slab, all of them within rounding of it. Those that
+    // head into it are in glass, and see the background through the other face with n² and less
+    // what that one sends back; those that head out see it as it is.
+    const double R = 0.04;
+    for (const double face : {17.0, 17.3, 16.95}) {
+        for (const bool inward : {true, false}) {
+            const dvec3 eye(12, 12, face), ahead = eye + dvec3(0, 0, inward ? -1 : 1);
+            const Look look(slabOfGlass(6.2, face).take(),
+                            sharply(parallel(eye, ahead, 12, {12, 12}), 1));
+            for (int y = 0; y < 12; ++y)
+                for (int x = 0; x < 12; ++x)
+                    EXPECT_NEAR(look.at("R", x, y), inward ? 2.25 * (1 - R) : 1, 1e-4) << face;
+        }
+    }
+}
+
+TEST(Sharp, ABackgroundBehindAFaceThatCutsGlassIsScaled) {
+    // The glass goes on beyond the domain's face: an eye within it sees radiance times n², one
+    // before the slab sees it through the boundary, less what that sends back.
+    const Look within(slabOfGlass(-5, 12.4).take(),
+                      sharply(parallel({12, 12, 6}, {12, 12, 0}, 12, {4, 4}), 8));
+    EXPECT_NEAR(within.at("R", 1, 1), 2.25, 1e-5);
+    const Look before(slabOfGlass(-5, 12.4).take(),
+                      sharply(parallel({12, 12, 50}, {12, 12, 0}, 12, {4, 4}), 8));
+    EXPECT_NEAR(before.at("R", 1, 1), 1, 1e-5);
+}
+
+TEST(Sharp, ABoundaryOnTheDomainsFaceRefracts) {
+    // A slab as thick as the domain: rays aslant come out as they went in, shifted by what Snell's
+    // law says, and the faces reflect.
+    const dvec3 d = glm::normalize(dvec3(0.5, 0, -1));
+    const dvec3 middle(12, 12, 12);
+    Params params = sharply(parallel(middle - 60.0 * d, middle, 6, {8, 8}), 1);
+    params.aovs = {"exit_direction", "optical_path_length"};
+    const Look look(slabOfGlass(0, 24).take(), params);
+    params.maxDepth = 12;
+    const Look deep(slabOfGlass(0, 24).take(), params);
+    const double sine = d.x / 1.5, length = 24 / std::sqrt(1 - sine * sine);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            EXPECT_LT(look.at("R", x, y), 0.1); // the mirror's share alone
+            EXPECT_NEAR(deep.at("R", x, y), 1, 1e-3);
+            EXPECT_LT(glm::length(deep.direction(x, y) - d), 1e-5);
+            EXPECT_NEAR(deep.at("optical_path_length", x, y), 1.5 * length, 1e-3);
+        }
+}
