@@ -13,6 +13,9 @@ using glm::dvec3;
 // Work items that sum up a batch: enough to fill a device, few enough to read back.
 constexpr unsigned kItems = 1024;
 
+constexpr const char* kDropped[] = {"light_dropped_by_depth", "light_dropped_by_steps",
+                                    "light_dropped_by_thinning", "light_dropped_as_dim"};
+
 } // namespace
 
 EnergyMeter::EnergyMeter(gpu::Device& device)
@@ -40,7 +43,7 @@ BatchEnergy EnergyMeter::sum(const scene::Transport& transport, const Photons& p
         batch.absorbed += dvec3(sum.absorbed);
         batch.scattered += dvec3(sum.scattered);
         batch.escaped += dvec3(sum.escaped);
-        batch.tooDeep += static_cast<double>(sum.escaped.w);
+        batch.dropped += glm::dvec4(sum.dropped);
         for (int i = 0; i < 4; ++i) batch.counts[static_cast<size_t>(i)] += sum.count[i];
     }
     return batch;
@@ -64,8 +67,17 @@ void book(Stats& stats, const Plan& plan, const Light& light, double power,
     }
     const char* names[] = {"photons", "steps", "deposits", "trapped"};
     for (size_t i = 0; i < 4; ++i) stats.count(names[i], done.counts[i]);
-    if (plan.scene.sharp) stats.count("photons_too_deep", done.tooDeep);
     stats.count("atomic_adds", done.counts[2] * plan.planes());
+}
+
+glm::dvec4 droppedPower(const Light& light, double power, const BatchEnergy& done) {
+    return done.dropped * (power * (light.rgb.x + light.rgb.y + light.rgb.z) / 3);
+}
+
+void tellDropped(Stats& stats, const glm::dvec4& power) {
+    const Energy::Rgb& entered = stats.energy.entered;
+    const double mean = (entered[0] + entered[1] + entered[2]) / 3;
+    for (int i = 0; i < 4; ++i) stats.count(kDropped[i], mean > 0 ? power[i] / mean : 0);
 }
 
 } // namespace eikonal::lightsim

@@ -12,7 +12,7 @@ namespace eikonal::lightsim {
 struct BatchEnergy {
     glm::dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
     std::array<double, 4> counts{}; ///< photons, steps, deposits, trapped
-    double tooDeep = 0;             ///< photons that met too many interfaces
+    glm::dvec4 dropped{0};          ///< weight: by depth, by steps, by thinning, as dim
     double error = 0;               ///< the largest, estimated [voxel]
 };
 
@@ -31,5 +31,12 @@ private:
 /// has become of it. A photon of weight 1 has `power` [m² or sr] of the light's RGB.
 void book(Stats& stats, const Plan& plan, const Light& light, double power,
           const BatchEnergy& emitted, const BatchEnergy& done);
+
+/// Power that a batch's photons took away when limits ended them [W], the mean of rgb, in the order
+/// of BatchEnergy::dropped.
+glm::dvec4 droppedPower(const Light& light, double power, const BatchEnergy& done);
+
+/// Counts such power of all batches as shares of what has entered (`light_dropped_by_depth` ...).
+void tellDropped(Stats& stats, const glm::dvec4& power);
 
 } // namespace eikonal::lightsim

@@ -39,7 +39,8 @@ struct Run {
     EnergyMeter meter;
     Receivers receivers;
     Photons photons{};
-    unsigned batches = 0; ///< begun so far
+    unsigned batches = 0;  ///< begun so far
+    glm::dvec4 dropped{0}; ///< power, see droppedPower()
 
     template<typename Work> auto pass(const char* name, const Work& work) {
         return timed(profiler, name, work);
@@ -102,6 +103,7 @@ bool send(Run& run, const Light& light, const Batch& batch, double power, double
     if (PhotonTracer::overflowed(run.photons)) return false;
     const BatchEnergy after = run.pass("energy", sum);
     book(run.stats, run.plan, light, power, before, after);
+    run.dropped += droppedPower(light, power, after);
     if (run.plan.bends && run.params.tracing.integrator == optics::Integrator::adaptive)
         run.stats.raise("position_error_voxels", after.error);
     if (left > 0) run.stats.count("photons_left_by_thinning", left);
@@ -168,6 +170,7 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
             sendLight(run, part, partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
             ++done;
         }
+    tellDropped(stats, run.dropped);
     profiler.collect();
     Result result = run.receivers.finish(device, plan, params, stats);
     report(progress, 1.0);

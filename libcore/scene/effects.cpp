@@ -90,6 +90,8 @@ std::vector<std::string> warningsOf(const Scene& scene) {
     if (scene.index.jumpAtFaces > 1e-3f)
         warnings.push_back("the index jumps by " + toText(scene.index.jumpAtFaces) +
                            " at the domain's faces, which do not refract");
+    if (scene.disperses)
+        warnings.push_back("'dispersion' is not traced: all light goes as that of 587.6 nm does");
     return warnings;
 }
 

@@ -15,6 +15,7 @@ void Params::check() const {
     Tracing::check("--tolerance");
     requireOption(maxDepth >= 0 && maxDepth <= 64, "--max-depth", std::to_string(maxDepth),
                   "0 to 64");
+    requireOption(cutoff >= 0 && cutoff < 1, "--cutoff", toText(cutoff), "0 or more, below 1");
     requireOption(samples >= 1 && samples <= 4096, "--samples", std::to_string(samples),
                   "1 to 4096");
     requireOption(maxSteps >= 0, "--max-steps", std::to_string(maxSteps), "0 or more");

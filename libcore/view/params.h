@@ -19,7 +19,11 @@ const std::vector<std::string>& allAovs();
 
 struct Params : optics::Tracing {
     Camera camera;
-    int maxDepth = 8; ///< sharp: most boundaries that a ray meets
+    int maxDepth = 32; ///< sharp: most boundaries that a ray meets
+    /// Sharp: a reflection of a smaller share of its ray's light is not followed, and what is
+    /// refracted takes that along; below its square a branch is dropped. What floats hold of a
+    /// picture is three decimals.
+    double cutoff = 1e-3;
     int samples = 1;  ///< rays of a pixel, in a fixed pattern
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;

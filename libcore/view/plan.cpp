@@ -47,6 +47,9 @@ void listEffects(Plan& plan, const Params& params) {
     plan.warnings = scene::warningsOf(scene);
     if (scattering.on && !plan.lit())
         plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
+    if (plan.opaque && !plan.lit())
+        plan.warnings.push_back("what is opaque in " + scene.path +
+                                " is black, since no light is stored in it: run lightsim first");
 }
 
 } // namespace

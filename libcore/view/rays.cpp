@@ -24,9 +24,6 @@ using gpu::Texture;
 // 1/(4π) [1/sr]: fluence to isotropically scattered radiance.
 constexpr float kIsotropicPhase = 0.07957747154594767f;
 
-// What floats hold of a picture is three decimals: a thousandth of a ray's light is let go.
-constexpr float kLeastThroughput = 1e-3f;
-
 double stepOf(const Plan& plan, const Params& params) {
     const bool samples = plan.gathers() || plan.opaque;
     return params.step > 0 ? params.step : params.usualStep(samples);
@@ -190,7 +187,7 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mValues.limits =
         ivec4(params.maxSteps > 0 ? params.maxSteps : crossings, params.maxDepth, 0, 0);
     const float outside = scene.index.background;
-    mValues.medium = vec4(outside, kLeastThroughput, plan.lit(), 1 / (outside * outside));
+    mValues.medium = vec4(outside, params.cutoff, plan.lit(), 1 / (outside * outside));
     const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();
     const glm::dmat3 turn(glm::dmat3(voxelFromWorld) * h);
     const CameraAxes axes = axesOf(camera);

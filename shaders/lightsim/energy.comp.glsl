@@ -14,7 +14,7 @@ void main() {
     uint item = gl_GlobalInvocationID.x;
     uint items = params.list.y;
     if (item >= items) return;
-    EnergySum sum = EnergySum(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), uvec4(0u));
+    EnergySum sum = EnergySum(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), uvec4(0u));
     for (uint id = item; id < params.list.w; id += items) {
         Photon photon = photons[id];
         int status = int(photon.count.x);
@@ -25,7 +25,8 @@ void main() {
         sum.absorbed += vec4(photon.absorbed.xyz, 0.0);
         sum.scattered += vec4(photon.scattered.xyz, 0.0);
         if (status == kLeft) sum.escaped += weight;
-        if (status == kDeep) sum.escaped.w += 1.0;
+        float mean = dot(weight.xyz, vec3(1.0 / 3.0));
+        sum.dropped += mean * vec4(equal(ivec4(status), ivec4(kDeep, kTrapped, kAlive, kFaded)));
         sum.count += uvec4(1u, photon.count.y, photon.count.z, status == kTrapped ? 1u : 0u);
     }
     energy[item] = sum;

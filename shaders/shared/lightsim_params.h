@@ -56,6 +56,8 @@ struct EnergySum {
     vec4 remaining; // weight in the photons, whatever their status; w: the largest error [voxel]
     vec4 absorbed;
     vec4 scattered;
-    vec4 escaped; // w: photons that met too many interfaces
+    vec4 escaped;
+    vec4 dropped; // mean of rgb, of photons that: x: met too many interfaces, y: used up their steps,
+                  // z: were left when few were, w: had become dim
     uvec4 count;  // photons, steps, deposits, trapped
 };

@@ -13,7 +13,7 @@ struct ViewParams {
     vec4 mapFromVoxel0; // rows of the rotation from voxel space to the environment map's frame
     vec4 mapFromVoxel1;
     vec4 mapFromVoxel2;
-    vec4 medium;  // x: index outside, y: throughput below which a branch is dropped, z: 1 if the
+    vec4 medium;  // x: index outside, y: throughput below which a reflection is not followed, z: 1 if the
                   // file has light for opaque surfaces, w: 1 / x²
     vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays
     vec4 weight;  // rgb: the ray's share of its pixel's colour; w: of its coverage

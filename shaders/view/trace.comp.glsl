@@ -46,7 +46,7 @@ struct Load {
     vec3 sky;       // L/n² from behind the domain
     int interfaces; // met
     float deep;     // shares dropped because they had met too many interfaces
-    float dim;      // shares dropped because they were small
+    float dim;      // shares dropped because nothing worth following was left
     bool trapped;   // some branch
     bool first;     // the first branch is on its way
     Path firstPath; // where that ended
@@ -123,15 +123,8 @@ Branch branchOf(Path path, vec3 x, Outgoing ray) {
                   ray.departs);
 }
 
-// Whether a branch is bright enough to be followed; what is not is counted.
-bool isWorth(inout Load load, Branch branch) {
-    bool worth = brightest(branch.throughput) >= params.medium.y;
-    if (!worth) load.dim += meanOf(branch.throughput);
-    return worth;
-}
-
-void wait(inout Load load, Branch branch) {
-    if (isWorth(load, branch)) waiting[waitingCount++] = branch;
+bool isBrighter(Branch branch, float least) {
+    return brightest(branch.throughput) >= least;
 }
 
 void onInterface(inout Path path, inout Load load, Interface at) {
@@ -143,9 +136,18 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         Outgoing outgoing[kMostOutgoing];
         int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
         // By a constant place, not in a loop: what is read at a variable one lives in memory.
-        if (rays > 1) wait(load, branchOf(path, at.x, outgoing[1]));
         Branch next = branchOf(path, at.x, outgoing[0]);
-        if (!isWorth(load, next)) path.status = kFaded;
+        if (rays > 1) {
+            // A reflection too dim to follow is not lost: what goes through takes its light along.
+            // Dropped, it would add up to darkness where there are many boundaries.
+            Branch mirrored = branchOf(path, at.x, outgoing[1]);
+            if (isBrighter(mirrored, params.medium.y)) waiting[waitingCount++] = mirrored;
+            else next.throughput += mirrored.throughput;
+        }
+        if (!isBrighter(next, params.medium.y * params.medium.y)) { // dimmed by what it went through
+            load.dim += meanOf(next.throughput);
+            path.status = kFaded;
+        }
         follow(path, next);
     }
 }
@@ -199,7 +201,7 @@ void main() {
     Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, true, path, camera.start, camera.start);
     float n = params.medium.x; // at the eye
     if (camera.hits) {
-        path.objects = objectsAt(camera.start);
+        path.objects = objectsAt(camera.start, camera.direction, kOnBoundary, camera.within);
         int region = regionOf(path.objects);
         float entry = indexOf(region, camera.start);
         if (camera.within) n = entry;

@@ -110,9 +110,13 @@ volume::Volume volumeOf(const judge::Glass& glass, const Voxels& voxels) {
     return volume;
 }
 
+// Of branches below it the judge drops the light that a ray takes along: far below every bar.
+constexpr double kCutoff = 1e-6;
+
 view::Params sharply(view::Params params) {
     params.boundary = optics::Boundary::sharp;
     params.maxDepth = 8;
+    params.cutoff = kCutoff;
     return params;
 }
 
@@ -187,7 +191,7 @@ bool tellable(const judge::Glass& glass, const judge::Ray& ray) {
 
 double energyOff(const view::Look& look, const view::Params& params, const judge::Glass& glass,
                  const std::function<bool(const judge::Ray&)>& counts, int* rays) {
-    const judge::Limits limits{.maxDepth = params.maxDepth};
+    const judge::Limits limits{.maxDepth = params.maxDepth, .minThroughput = params.cutoff};
     double off = 0;
     for (int y = 0; y < look.picture.height; ++y)
         for (int x = 0; x < look.picture.width; ++x) {

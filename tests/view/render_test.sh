@@ -200,6 +200,9 @@ test_boundaries() {
     expect 0 render ball.vdb $look -o shallow.exr --max-depth 1 --stats stats.json
     # Depth 1 shows the mirror's share alone: 4 % at the centre, and nearly all else is dropped.
     holds stats.json '.counters.light_dropped_by_depth > 0.3'
+    says 'warning: [0-9.]* % of the light was dropped by --max-depth'
+    expect 0 render ball.vdb $look -o shallow.exr
+    [ ! -s stderr ] || fail "it warns of light that it does not drop"
     expect 0 render ball.vdb $look -o smooth.exr --samples 4
     idiff -q out.exr smooth.exr >/dev/null && fail "--samples changes nothing"
     mv smooth.exr first.exr
@@ -215,6 +218,10 @@ test_boundaries() {
     for bad in -1 65 x 1.5; do
         refuses 64 ball.vdb $look -o out.exr --max-depth $bad
         says max-depth
+    done
+    for bad in -1 1 x; do
+        refuses 64 ball.vdb $look -o out.exr --cutoff $bad
+        says cutoff
     done
     for bad in 0 -1 5000 x; do
         refuses 64 ball.vdb $look -o out.exr --samples $bad

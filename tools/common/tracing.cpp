@@ -80,4 +80,14 @@ void TracingOptions::warnOf(Session& session, const std::string& rays) const {
                      toText(std::round(error * 1e6) / 1e6) + " voxels are estimated");
 }
 
+void warnOfDropped(Session& session,
+                   const std::vector<std::pair<std::string, std::string>>& limits) {
+    for (const auto& [counter, option] : limits) {
+        const double share = session.stats().counter(counter);
+        if (share > 0.01)
+            session.warn(toText(std::round(share * 1000) / 10) + " % of the light was dropped by " +
+                         option + ": what is seen of it is too dark");
+    }
+}
+
 } // namespace eikonal::tool

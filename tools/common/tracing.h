@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace eikonal::tool {
 
@@ -32,5 +34,10 @@ private:
     optics::Tracing mTracing;
     CLI::Option *mIntegratorOption, *mTolerance;
 };
+
+/// Warns of every limit that took more than a hundredth of a run's light: `limits` are counters of
+/// such shares and the options that set them.
+void warnOfDropped(Session& session,
+                   const std::vector<std::pair<std::string, std::string>>& limits);
 
 } // namespace eikonal::tool

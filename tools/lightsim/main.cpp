@@ -166,6 +166,10 @@ void simulate(tool::Session& session, Options& o) {
         lightsim::Result result = lightsim::simulate(session.device(), *plan, o.params,
                                                      session.stats(), session.progress());
         o.tracing->warnOf(session, "photons");
+        tool::warnOfDropped(session, {{"light_dropped_by_depth", "--max-depth"},
+                                      {"light_dropped_by_steps", "--max-steps"},
+                                      {"light_dropped_by_thinning", "--thin-to"},
+                                      {"light_dropped_as_dim", "--drop-below"}});
         session.pass("grids", [&] {
             volume::PutOptions options;
             options.vectorType = "color";

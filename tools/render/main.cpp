@@ -82,6 +82,12 @@ void addOptions(CLI::App& app, Options& o) {
         ->type_name("N")
         ->capture_default_str()
         ->group("Picture");
+    app.add_option("--cutoff", p.cutoff,
+                   "share of a ray's light below which a reflection is not followed: what is refracted "
+                   "takes it along")
+        ->type_name("SHARE")
+        ->capture_default_str()
+        ->group("Tracing");
     app.add_option("--max-steps", p.maxSteps, "steps after which a ray counts as trapped; 0: ample")
         ->type_name("N")
         ->capture_default_str()
@@ -190,6 +196,8 @@ void render(tool::Session& session, Options& o) {
     const image::Image picture =
         view::render(session.device(), *plan, o.params, map, session.stats(), session.progress());
     o.tracing->warnOf(session, "rays");
+    tool::warnOfDropped(
+        session, {{"light_dropped_by_depth", "--max-depth"}, {"light_dropped_as_dim", "--cutoff"}});
     session.pass("write", [&] { writePictures(session, o, *files, picture); });
 }
 
