@@ -65,13 +65,17 @@ Texture paddedRgb(gpu::Device& device, const Plan& plan, const scene::Values& va
     });
 }
 
-/// In voxel space, and g beside it.
+/// In voxel space, times the fluence's sum over rgb, and g beside it: an interpolated mean direction is
+/// that of the light there only if each voxel's counts by its light.
 Texture makeDirection(gpu::Device& device, const Plan& plan) {
     const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()));
     const scene::Values& direction = plan.scene.light.direction;
+    const scene::Values& fluence = plan.scene.light.fluence;
     return padded(device, plan, TexelFormat::rgba32f, false, [&](size_t i, float* out) {
+        const float light = fluence.at(i, 0) + fluence.at(i, 1) + fluence.at(i, 2);
         const glm::vec3 d =
-            voxelFromWorld * glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2));
+            light * (voxelFromWorld *
+                     glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2)));
         out[0] = d.x;
         out[1] = d.y;
         out[2] = d.z;
@@ -130,7 +134,7 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
 
 Media::Media(gpu::Device& device, const Plan& plan) {
     if (!plan.scene.sharp) makeBlurred(device, plan, *this);
-    const bool reads = plan.scene.sharp || plan.opaque;
+    const bool reads = plan.scene.sharp || plan.opaque || plan.anisotropic;
     if (plan.lit() && reads) fluence = paddedRgb(device, plan, plan.scene.light.fluence, 1);
     if ((plan.anisotropic || plan.opaque) && !plan.scene.light.direction.isZero())
         direction = makeDirection(device, plan);
@@ -160,7 +164,7 @@ std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
     if (blurred && plan.colour && (plan.scatters || plan.emits)) texture("the scattered light", 16);
     if (blurred && plan.anisotropic && plan.emits) texture("the emission", 16);
     if (blurred && plan.opaque) texture("the opaque surfaces", 16);
-    if (plan.lit() && (!blurred || plan.opaque)) texture("the light", 16);
+    if (plan.lit() && (!blurred || plan.opaque || plan.anisotropic)) texture("the light", 16);
     if ((plan.anisotropic || plan.opaque) && plan.lit()) texture("the light's direction", 16);
     return needs;
 }

@@ -25,7 +25,7 @@ Medium blurredMediumAt(vec3 at, vec3 direction) {
     Medium medium = Medium(kColour ? first.xyz : vec3(first.x), vec3(0.0));
     if (kGlows) medium.source = kColour ? textureLod(sources, at, 0.0).xyz : vec3(first.y);
     if (kAnisotropic) {
-        vec4 light = textureLod(lightDirection, at, 0.0);
+        vec4 light = meanDirectionAt(at, textureLod(fluence, at, 0.0).xyz);
         medium.source *= phaseTowards(light.xyz, light.w, direction);
         if (kEmission) medium.source += textureLod(emission, at, 0.0).xyz;
     }
@@ -38,9 +38,10 @@ Medium regionMediumAt(int region, vec3 x, vec3 direction) {
     Medium medium = Medium(here.absorption + here.scattering, kEmission ? here.emission : vec3(0.0));
     if (kGlows) {
         vec3 at = coordinate(x);
-        float phase = kAnisotropic ? phaseTowards(textureLod(lightDirection, at, 0.0).xyz, here.g, direction)
+        vec3 light = textureLod(fluence, at, 0.0).xyz;
+        float phase = kAnisotropic ? phaseTowards(meanDirectionAt(at, light).xyz, here.g, direction)
                              : kIsotropicPhase;
-        medium.source += here.scattering * textureLod(fluence, at, 0.0).xyz * phase;
+        medium.source += here.scattering * light * phase;
     }
     return medium;
 }

@@ -30,7 +30,7 @@ layout(std430, binding = kCountersBuffer) buffer Counters { uvec2 counters[]; };
 // All padded by one voxel; the first two and the emission are of blurred media.
 layout(binding = kExtinctionUnit) uniform sampler3D extinctions; // grey: (σ_t, source) [1/voxel]
 layout(binding = kSourceUnit) uniform sampler3D sources;         // radiance per voxel of length
-layout(binding = kDirectionUnit) uniform sampler3D lightDirection; // in voxel space; g
+layout(binding = kDirectionUnit) uniform sampler3D lightDirection; // see meanDirectionAt(); g
 layout(binding = kEmissionUnit) uniform sampler3D emission;
 layout(binding = kOpacityUnit) uniform sampler3D surface; // opacity, albedo
 layout(binding = kFluenceUnit) uniform sampler3D fluence; // [W/m²]

@@ -5,7 +5,7 @@ eikonal_test(test_hard
             hard/invariant_test.cpp hard/float_walk.cpp hard/depth_test.cpp hard/range_test.cpp
             hard/walk_test.cpp hard/shape_test.cpp hard/mesh_test.cpp hard/bad_value_test.cpp
             hard/sharp_ball_test.cpp hard/sharp_interface_test.cpp hard/sharp_shape_test.cpp
-            hard/sharp_value_test.cpp
+            hard/sharp_value_test.cpp hard/random_scene_test.cpp
     LIBRARIES test_support rapidcheck rapidcheck_gtest LONG "*")
 target_include_directories(test_hard SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 # The shaders' library in float: its numbers without a suffix are floats there, too.
