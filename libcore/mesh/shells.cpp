@@ -20,17 +20,17 @@ void measure(const TriangleMesh& mesh, Shell& shell) {
     for (std::uint32_t face : shell.faces)
         for (int k = 0; k < 3; ++k) shell.box.include(mesh.points[mesh.triangles[face][k]]);
     const glm::dvec3 centre = 0.5 * (shell.box.min + shell.box.max);
-    double area = 0;
     for (std::uint32_t face : shell.faces) {
         const glm::uvec3& corners = mesh.triangles[face];
         const glm::dvec3 a = mesh.points[corners.x] - centre, b = mesh.points[corners.y] - centre,
                          c = mesh.points[corners.z] - centre;
         shell.volume += glm::dot(a, glm::cross(b, c)) / 6;
-        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+        shell.area += 0.5 * glm::length(glm::cross(b - a, c - a));
     }
     // Far above the rounding of coordinates in a double, far below any plate one would voxelise:
     // a mean thickness of a billionth of the shell's size.
-    shell.flat = std::abs(shell.volume) <= 1e-9 * area * glm::length(shell.box.max - shell.box.min);
+    shell.flat =
+        std::abs(shell.volume) <= 1e-9 * shell.area * glm::length(shell.box.max - shell.box.min);
 }
 
 bool isAround(const TriangleMesh& mesh, const Shell& shell, const glm::dvec3& x) {

@@ -26,6 +26,7 @@ size_t endOfEdge(const std::vector<FaceEdge>& edges, size_t begin);
 struct Shell {
     std::vector<std::uint32_t> faces;
     Box box;           ///< world space [unit]
+    double area = 0;   ///< [unit²]
     double volume = 0; ///< signed [unit³]
     bool flat = false; ///< encloses nothing but what rounding leaves
 };

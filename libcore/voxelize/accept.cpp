@@ -29,12 +29,17 @@ Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool re
                         " (expected a closed surface whose faces all look outward; --repair " +
                         (report.closed ? "turns" : "closes") + " it)");
     mesh::RepairResult repaired = mesh::repairMesh(mesh);
-    const mesh::MeshReport after = mesh::checkTopology(repaired.mesh);
+    const mesh::MeshReport after = mesh::checkMesh(repaired.mesh);
     if (!after.boundsVolume())
         throw DataError(path + ": bounds no volume, even repaired: " + faultsOf(after) +
                         " (expected a closed surface around some space)");
+    if (!repaired.loss.empty())
+        throw DataError(path + ": repaired, it would be another object: " + repaired.loss +
+                        " (expected a surface that is whole but for holes and rounding)");
     mesh = std::move(repaired.mesh);
     result.repairs = std::move(repaired.actions);
+    result.crosses = after.selfIntersectingPairs > 0;
+    result.repairs.push_back("repaired: " + after.sentences().front());
     return result;
 }
 

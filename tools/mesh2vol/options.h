@@ -120,7 +120,9 @@ inline void addOptions(CLI::App& app, Options& o) {
         ->type_name("S")
         ->capture_default_str()
         ->group(group);
-    app.add_flag("--repair", o.repair, "close holes and turn faces outward where needed")
+    app.add_flag("--repair", o.repair,
+                 "where needed join points within 1e-5 of the mesh's diagonal, close holes and "
+                 "turn faces outward; a mesh that this would make another object is refused")
         ->group(group);
     app.add_option("--boundary", o.boundary,
                    "sharp: also write each object's signed distance (sdf, or sdf.NAME of several) "
