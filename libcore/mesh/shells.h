@@ -39,4 +39,8 @@ std::vector<Shell> findShells(const TriangleMesh& mesh, const std::vector<FaceEd
 std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell>& shells,
                                const std::vector<char>& wanted);
 
+/// For each shell of a closed mesh whether all of it lies within the solid, where the surface winds
+/// around a point at least once: then it bounds nothing. Flat shells count as not.
+std::vector<char> buriedShells(const TriangleMesh& mesh, const std::vector<Shell>& shells);
+
 } // namespace eikonal::mesh

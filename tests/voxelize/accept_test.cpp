@@ -34,7 +34,21 @@ TEST(Accept, SaysWhatARepairCameTo) {
     const Acceptance found = acceptMesh(box, "box.obj", true);
     ASSERT_FALSE(found.repairs.empty());
     EXPECT_EQ(found.repairs.back(), "repaired: 12 triangles, 8 points, 1 component, volume 6");
-    EXPECT_FALSE(found.crosses);
+    EXPECT_TRUE(found.warnings.empty());
+}
+
+TEST(Accept, TellsOfACavityThatIsNone) {
+    const mesh::TriangleMesh outer = mesh::boxShape({0, 0, 0}, {4, 4, 4});
+    const mesh::TriangleMesh inner = mesh::boxShape({1, 1, 1}, {3, 3, 3});
+    mesh::TriangleMesh hollow = mesh::joined(outer, mesh::turnedInsideOut(inner));
+    EXPECT_TRUE(acceptMesh(hollow, "hollow.obj", false).warnings.empty());
+    mesh::TriangleMesh solid = mesh::joined(outer, inner);
+    const Acceptance found = acceptMesh(solid, "solid.obj", false);
+    ASSERT_EQ(found.warnings.size(), 1u);
+    EXPECT_NE(found.warnings[0].find("1 closed part looks outward within another and is solid like "
+                                     "it, volume 64: the faces of a cavity look inward"),
+              std::string::npos)
+        << found.warnings[0];
 }
 
 } // namespace
