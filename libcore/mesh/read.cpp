@@ -139,7 +139,10 @@ std::vector<Part> readParts(const std::string& path) {
     std::vector<TriangleMesh> meshes = split(read.mesh, read.labels, objects);
     std::vector<Part> parts;
     for (size_t i = 0; i < names.size(); ++i)
-        if (objects[i] == i) parts.push_back({names[i], std::move(meshes[i])});
+        if (objects[i] == i)
+            parts.push_back(
+                {names[i].empty() ? "part " + std::to_string(parts.size() + 1) : names[i],
+                 std::move(meshes[i])});
     if (parts.size() == 1) parts.front() = {"", std::move(read.mesh)};
     return parts;
 }

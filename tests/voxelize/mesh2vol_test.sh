@@ -66,6 +66,17 @@ test_bad_usage() {
     refuses 64 box.obj $small --sdf -o out.vdb # it is written without being asked for
 }
 
+test_numbers_for_meshes() {
+    local numbers
+    for numbers in "--ior 1.5 1.33" "--ior 1.5 1.33 1 1" "--ior 1.5 --absorption 1 1,2,3"; do
+        refuses 64 box.obj box.obj -o out.vdb $numbers
+        says "is a number, not a mesh: .* again for each"
+    done
+    cp box.obj 1.33 # unless there is one
+    makes number.vdb 1.33 box.obj $small
+    rm 1.33
+}
+
 test_bad_values() {
     refuses 64 box.obj -o out.vdb --ior 0
     says "--ior: found 0, expected above 0"
@@ -111,6 +122,8 @@ test_bad_input() {
     says "--repair closes it"
     refuses 65 inverted.obj $small -o out.vdb
     says "inside out"
+    refuses 65 pulled.obj $small --repair -o out.vdb # every face closed by its own back
+    says "pulled.obj: .*expected"
     refuses 65 sheet.obj $small --repair -o out.vdb
     refuses 65 box.obj open.obj $small -o out.vdb
 }
@@ -163,12 +176,70 @@ test_repair() {
     makes inverted.vdb inverted.obj $small --repair
 }
 
+test_repair_of_soup() {
+    makes near.vdb near.obj $small --repair
+    says "merged 14 points within"
+    says "repaired: 12 triangles, 8 points, 1 component, volume 6.0000"
+}
+
+# An inner shell that looks outward makes no cavity.
+test_a_cavity_that_is_none() {
+    { cat box.obj && awk '/^v/ {print "v", $2 / 2 + 0.25, $3 / 2 + 0.5, $4 / 2 + 0.75}
+        /^f/ {print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8}' box.obj; } >solid.obj
+    makes solid.vdb solid.obj $small
+    says "warning: solid.obj: 1 closed part looks outward within another and is solid like it, volume 6:"
+    awk '/^f/ && ++n > 6 {print "f", $5, $4, $3, $2; next} {print}' solid.obj >hollow.obj
+    makes hollow.vdb hollow.obj $small
+    grep -q "looks outward" stderr && fail "a cavity is told of"
+}
+
 test_stats() {
     makes stats.vdb box.obj $small --stats stats.json
     local word
     for word in '"occupied_voxels"' '"voxelize"' '"why"' '"triangles": 12'; do
         grep -q -e "$word" stats.json || fail "no $word in the statistics"
     done
+}
+
+# Told by what they hold, and called alike from run to run.
+test_streams() {
+    makes file.vdb box.obj $small --name mesh
+    expect 0 mesh2vol - -o stream.vdb $small <box.obj
+    has_grids stream.vdb ior ior.mesh sdf
+    cat box.obj | expect 0 mesh2vol - -o stream.vdb $small
+    expect 0 mesh2vol <(gzip -c box.obj | gunzip) -o stream.vdb $small
+    has_grids stream.vdb ior ior.mesh sdf
+    mkfifo fifo
+    cat box.obj >fifo &
+    expect 0 mesh2vol fifo <(cat far.obj) -o stream.vdb $small
+    has_grids stream.vdb ior ior.mesh1 ior.mesh2 sdf.mesh1 sdf.mesh2
+    expect 64 mesh2vol - - -o out.vdb $small <box.obj
+    expect 65 mesh2vol - -o out.vdb $small <garbage.off
+    says "standard input: found no extension and no content that tells"
+    expect 65 mesh2vol - -o out.vdb $small </dev/null
+    says "standard input: found an empty file"
+    expect 65 mesh2vol <(gzip -c box.obj) -o out.vdb $small
+    says "compressed by gzip"
+    nothing_left
+}
+
+test_objects_of_a_file() {
+    makes two.vdb two.obj $small
+    has_grids two.vdb ior ior.two.far ior.two.near_a_ sdf.two.far sdf.two.near_a_
+    lines_of two.vdb 2 'eikonal:order: [01]$'
+    makes two.vdb two.obj $small --name pair --ior 1.3 --absorption 0 --absorption 1
+    has_grids two.vdb absorption absorption.pair.far ior ior.pair.far ior.pair.near_a_ \
+        sdf.pair.far sdf.pair.near_a_
+    makes two.vdb two.obj box.obj --ior 1.5 --ior 1.3 --priority 0 --priority 1 --priority 2 \
+        --name a --name b --name c --resolution 40
+    has_grids two.vdb ior ior.a ior.b ior.c sdf.a sdf.b sdf.c
+    refuses 64 two.obj -o out.vdb --ior 1 --ior 2 --ior 3
+    says "given 3 times, expected once or once for each of the 2 objects in it"
+    refuses 64 two.obj box.obj -o out.vdb --ior 1 --ior 2 --ior 3 --ior 4
+    says "once for each of the 2 meshes or once for each of the 3 objects in them"
+    sed '$d' two.obj >lid.obj
+    refuses 65 lid.obj -o out.vdb $small
+    says "lid.obj: 'far': bounds no volume: open"
 }
 
 test_names() {
@@ -232,8 +303,22 @@ f 2 3 7 6
 f 3 4 8 7
 f 4 1 5 8
 END
+sed 's/^v 0/v 5/;s/^v 1/v 6/' box.obj >far.obj
+awk '/^f/ {for (i = 2; i <= NF; ++i) $i += 8} {print}' far.obj >behind.obj
+{ echo 'o near,a,' && cat box.obj && echo 'o far' && cat behind.obj; } >two.obj
 sed 's/^f 5 6 7 8$//' box.obj >open.obj
 sed 's/^f \(.\) \(.\) \(.\) \(.\)/f \4 \3 \2 \1/' box.obj >inverted.obj
 echo 'this is no mesh' >garbage.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n' >sheet.obj
+# Sides with corners of their own, rounded to six digits, or pulled apart by a hundredth.
+soup() {
+    awk -v apart="$1" '/^v/ {for (k = 2; k < 5; ++k) x[n + 0, k] = $k; ++n}
+        /^f/ {for (i = 2; i <= 5; ++i) {
+            printf "v"
+            for (k = 2; k < 5; ++k) printf " %.9g", x[$i - 1, k] + apart * (sides % 5 - 2)
+            print ""}
+            print "f -4 -3 -2 -1"; ++sides}' box.obj
+}
+soup 1e-7 >near.obj
+soup 0.02 >pulled.obj
 run_tests
