@@ -7,6 +7,48 @@
 namespace eikonal::voxelize {
 namespace {
 
+using glm::dvec3;
+
+TEST(Accept, RefusesWhatBoundsNoVolumeUnlessRepaired) {
+    mesh::TriangleMesh open = mesh::boxShape(dvec3(0), dvec3(1));
+    open.triangles.pop_back();
+    mesh::TriangleMesh turned = mesh::boxShape(dvec3(0), dvec3(1));
+    std::swap(turned.triangles[3].x, turned.triangles[3].y);
+    for (const auto& [mesh, fault] :
+         {std::pair{open, "3 edges with a single face, around 1 hole"},
+          {mesh::turnedInsideOut(mesh::boxShape(dvec3(0), dvec3(1))), "inside out"},
+          {turned, "disagree about which side is out"}}) {
+        mesh::TriangleMesh copy = mesh;
+        try {
+            acceptMesh(copy, "box.off", false);
+            ADD_FAILURE() << "accepted: " << fault;
+        } catch (const DataError& error) {
+            const std::string said = error.what();
+            EXPECT_EQ(said.find("box.off: "), 0u);
+            EXPECT_NE(said.find(fault), std::string::npos) << said;
+            EXPECT_NE(said.find("--repair"), std::string::npos) << said;
+        }
+        const Acceptance accepted = acceptMesh(copy, "box.off", true);
+        EXPECT_FALSE(accepted.repairs.empty());
+        EXPECT_NEAR(mesh::signedVolume(copy), 1, 1e-12);
+    }
+}
+
+TEST(Accept, RefusesWhatStaysFlat) {
+    mesh::TriangleMesh sheet;
+    sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    EXPECT_THROW(acceptMesh(sheet, "sheet.off", true), DataError);
+}
+
+TEST(Accept, SaysThatTrianglesCross) {
+    mesh::TriangleMesh both = mesh::joined(mesh::boxShape(dvec3(0), dvec3(2)),
+                                           mesh::boxShape({1, 0.5, 0.5}, {3, 1.5, 1.5}));
+    EXPECT_EQ(acceptMesh(both, "boxes.off", false).warnings.size(), 1u);
+    mesh::TriangleMesh one = mesh::boxShape(dvec3(0), dvec3(2));
+    EXPECT_TRUE(acceptMesh(one, "box.off", false).warnings.empty());
+}
+
 TEST(Accept, RefusesARepairThatLosesTheObject) {
     // Every face of a ball alone, pulled away from its neighbours by a hundredth.
     const mesh::TriangleMesh ball = mesh::icosphere(1, 2);

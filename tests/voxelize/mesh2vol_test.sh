@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=mesh2vol
 . "$(dirname "$0")/../support/manners.sh"
-small="--ior 1.5 --resolution 20 --padding 3"
+small="--ior 1.5 --resolution 21 --padding 3"
 
 # makes FILE ARGUMENTS...: the tool writes the file.
 makes() {
@@ -157,7 +157,7 @@ test_a_box() {
     is_silent
     has_grids box.vdb ior ior.box sdf # only what differs from a vacuum is written
     lines_of box.vdb 4 'class: level set|eikonal:object: box$|eikonal:(order|priority): 0$'
-    lines_of box.vdb 5 'Number of active voxels: +(3,520|0)$|Background value: 1(\.5)?$'
+    lines_of box.vdb 5 'Number of active voxels: +(3,696|0)$|Background value: 1(\.5)?$'
     mesh2vol box.obj $small -o - >piped.vdb
     has_grids piped.vdb ior ior.box sdf
     makes blurred.vdb box.obj $small --boundary blurred
@@ -255,13 +255,15 @@ test_names() {
 test_thin_walls() {
     sed 's/^v 1/v 0.01/' box.obj >thin.obj
     makes thin.vdb thin.obj $small --stats thin.json
-    says "warning: 'thin' has a wall of 0.01 units, 0.0467 voxels, at (0.005, "
-    says "--resolution 606 would"
-    grep -q '"thinnest_wall_voxels": 0.0466' thin.json || fail "not in the statistics"
+    says "warning: 'thin' has a wall of 0.01 units, 0.05 voxels, at (0.005, "
+    says "--resolution 1506 would"
+    grep -q '"thinnest_wall_voxels": 0.0[45]' thin.json || fail "not in the statistics"
     refuses 74 thin.obj $small -o /dev/full
     makes thin.vdb thin.obj --ior 1.5 --voxel-size 0.1
-    says "--voxel-size 0.005 would"
-    makes thin.vdb thin.obj --ior 1.5 --voxel-size 0.005 --padding 4 --quiet
+    says "--voxel-size 0.002 would"
+    makes thin.vdb box.obj --ior 1.5 --resolution 20 --padding 3
+    says "'box' has a wall of 1 units, 4.67 voxels, .* may be 0.057° off; .* --resolution 21 would"
+    makes thin.vdb box.obj --ior 1.5 --resolution 21 --padding 3
     is_silent
     makes thin.vdb thin.obj $small --boundary blurred
     grep -q wall stderr && fail "speaks of walls, blurred"
