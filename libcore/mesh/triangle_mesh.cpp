@@ -121,4 +121,10 @@ size_t mergeIdenticalPoints(TriangleMesh& mesh) {
     return dropUnusedPoints(mesh);
 }
 
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+    for (const glm::uvec3& face : other.triangles) mesh.triangles.push_back(face + first);
+}
+
 } // namespace eikonal::mesh

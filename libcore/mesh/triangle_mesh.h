@@ -56,6 +56,9 @@ size_t dropUnusedPoints(TriangleMesh& mesh);
 /// Makes points of equal coordinates one, then drops unused ones. Gives the number that went.
 size_t mergeIdenticalPoints(TriangleMesh& mesh);
 
+/// Puts another mesh's points and triangles behind a mesh's own.
+void append(TriangleMesh& mesh, const TriangleMesh& other);
+
 /// Whether two corners of the face are the same point of the list.
 inline bool hasRepeatedCorner(const glm::uvec3& face) {
     return face.x == face.y || face.y == face.z || face.z == face.x;

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "voxelize/shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,10 @@ bool isObjectName(const std::string& name) {
         return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
                std::string_view(",[]").find(c) != std::string_view::npos;
     });
+}
+
+int mostSharpObjects() {
+    return kMostObjects;
 }
 
 void refuseCount(const std::string& option, size_t given, const Place& place) {

@@ -62,6 +62,9 @@ constexpr int kLongestEdge = 2046;
 // Voxel sizes [unit] that files can hold, and later stages square and cube in floats.
 constexpr double kSmallestVoxel = volume::kLeastVoxelSize, kLargestVoxel = 1e12;
 
+/// How many objects with sharp boundaries the later stages take.
+int mostSharpObjects();
+
 /// Which of the objects one is, and which of the files it comes from.
 struct Place {
     size_t object, objects; ///< its number, and how many there are

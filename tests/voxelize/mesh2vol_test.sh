@@ -242,6 +242,22 @@ test_objects_of_a_file() {
     says "lid.obj: 'far': bounds no volume: open"
 }
 
+# Thirteen boxes beside one another: one more than later stages take.
+test_many_objects() {
+    local k
+    for k in $(seq 0 12); do
+        echo "o box$k"
+        awk -v k="$k" '/^v/ {print "v", $2 + 2 * k, $3, $4}
+            /^f/ {for (i = 2; i <= 5; ++i) $i += 8 * k; print}' box.obj
+    done >many.obj
+    makes many.vdb many.obj --ior 1.5 --voxel-size 0.2
+    says "many.obj: 13 objects, all alike and more than 12, are taken as one"
+    has_grids many.vdb ior ior.many sdf
+    makes many.vdb many.obj --voxel-size 0.2 $(printf -- '--ior 1.%s ' $(seq 10 22))
+    says "warning: 13 objects: lightsim and render take 12"
+    lines_of many.vdb 13 'class: level set'
+}
+
 test_names() {
     expect 0 mesh2vol -o several.vdb --ior 1.5 --ior 1.2 --resolution 20 --padding 3 \
         --name first --name second.part box.obj box.obj # outputs before meshes

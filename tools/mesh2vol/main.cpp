@@ -33,6 +33,20 @@ void accept(tool::Session& session, const std::string& title, bool repair, mesh:
     for (const std::string& warning : found.warnings) session.warn(title + ": " + warning);
 }
 
+/// More objects of a file than later stages take are one where no option tells them apart: light
+/// is the same.
+void joinAlike(tool::Session& session, const mesh2vol::Options& o, const std::string& title,
+               std::vector<mesh::Part>& parts) {
+    const auto most = static_cast<size_t>(voxelize::mostSharpObjects());
+    if (parts.size() <= most || mesh2vol::tellsObjectsApart(o)) return;
+    session.note(title + ": " + std::to_string(parts.size()) +
+                 " objects, all alike and more than " + std::to_string(most) +
+                 ", are taken as one");
+    mesh::Part all;
+    for (const mesh::Part& part : parts) mesh::append(all.mesh, part.mesh);
+    parts.assign(1, std::move(all));
+}
+
 /// Reads and checks every object of every mesh.
 Objects readObjects(tool::Session& session, const mesh2vol::Options& o) {
     Objects objects;
@@ -44,6 +58,9 @@ Objects readObjects(tool::Session& session, const mesh2vol::Options& o) {
             std::string title = mesh::meshTitle(path);
             if (!part.name.empty()) title += ": '" + part.name + "'";
             accept(session, title, o.repair, part.mesh, objects.facts);
+        }
+        joinAlike(session, o, mesh::meshTitle(path), parts);
+        for (mesh::Part& part : parts) {
             objects.sources.push_back({file, part.name});
             objects.meshes.push_back(std::move(part.mesh));
         }
@@ -79,6 +96,10 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
     voxelize::Params params = mesh2vol::paramsOf(o, objects.sources);
     for (size_t k = 0; k < params.objects.size(); ++k)
         params.objects[k].mesh = std::move(objects.meshes[k]);
+    if (params.sharp && params.objects.size() > static_cast<size_t>(voxelize::mostSharpObjects()))
+        session.warn(std::to_string(params.objects.size()) + " objects: lightsim and render take " +
+                     std::to_string(voxelize::mostSharpObjects()) +
+                     " with sharp boundaries, any number with --boundary blurred");
     voxelize::Plan plan;
     session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {

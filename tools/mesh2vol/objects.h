@@ -90,6 +90,13 @@ inline std::string nameOf(const Options& o, const Source& source, const voxelize
     return source.part.empty() ? name : name + "." + madeValid(source.part);
 }
 
+/// Whether an option was given for each object rather than for all, or for each mesh.
+inline bool tellsObjectsApart(const Options& o) {
+    return std::any_of(o.perMesh.begin(), o.perMesh.end(), [&](const PerMesh& option) {
+        return option.given.size() > std::max<size_t>(1, o.meshes.size());
+    });
+}
+
 /// The scene's parameters, all but the objects' triangles, checked. Throws UsageError.
 inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& sources) {
     voxelize::Params params = sceneOf(o);
