@@ -8,30 +8,37 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
-#include <unistd.h>
 
 namespace {
 
 using namespace eikonal;
 
-/// A file of its own for each process; libFuzzer may run several side by side.
-std::string fileWith(const char* ending, const std::uint8_t* bytes, std::size_t size) {
-    static const std::string folder = [] {
-        std::string pattern = "/tmp/mesh_fuzz.XXXXXX";
-        return std::string(::mkdtemp(pattern.data()));
-    }();
-    const std::string path = folder + "/a" + ending;
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) std::abort();
-    if (size > 0) std::fwrite(bytes, 1, size, file);
-    std::fclose(file);
-    return path;
+/// A folder for each process, since libFuzzer may run several side by side.
+struct Folder {
+    Folder() {
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "mesh_fuzz.XXXXXX").string();
+        path = ::mkdtemp(pattern.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path path;
+};
+
+std::string fileWith(const std::string& ending, const std::uint8_t* bytes, std::size_t size) {
+    static const Folder folder;
+    const std::filesystem::path path = folder.path / ("a" + ending);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+    return path.string();
 }
 
 } // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     constexpr std::array<const char*, 5> kEndings = {".obj", ".off", ".ply", ".stl", ""};
