@@ -85,6 +85,16 @@ bool looksOutward(const TriangleMesh& mesh, const std::vector<Shell>& shells) {
     return std::any_of(shells.begin(), shells.end(), [](const Shell& s) { return !s.flat; });
 }
 
+/// Leaves out what lies within the solid and so is none of its boundary.
+void measureSolid(const TriangleMesh& mesh, const std::vector<Shell>& shells, MeshReport& report) {
+    const std::vector<char> buried = buriedShells(mesh, shells);
+    for (size_t i = 0; i < shells.size(); ++i) {
+        if (!buried[i]) continue;
+        report.volume -= shells[i].volume;
+        report.buried += shells[i].volume > 0;
+    }
+}
+
 /// "1 edge", "12 edges".
 std::string counted(size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -110,6 +120,7 @@ MeshReport checkTopology(const TriangleMesh& mesh) {
     report.volume = signedVolume(mesh);
     report.outward =
         report.closed && report.oriented && report.volume > 0 && looksOutward(mesh, shells);
+    if (report.outward) measureSolid(mesh, shells, report);
     return report;
 }
 
@@ -136,6 +147,10 @@ std::vector<std::string> MeshReport::sentences() const {
     if (closed && oriented && !outward)
         said.push_back(volume < 0 ? "inside out: the faces look inward"
                                   : "encloses no volume, or a part of it looks inward");
+    if (buried > 0)
+        said.push_back(counted(buried, "component") +
+                       (buried == 1 ? " that looks outward lies" : " that look outward lie") +
+                       " within the solid");
     if (degenerateFaces > 0) said.push_back(counted(degenerateFaces, "triangle") + " of no area");
     if (duplicateFaces > 0) said.push_back(counted(duplicateFaces, "triangle") + " given twice");
     if (selfIntersectingPairs > 0)

@@ -25,7 +25,8 @@ struct MeshReport {
     /// that is, lies within another.
     bool outward = false;
     size_t selfIntersectingPairs = 0; ///< pairs of faces that meet in more than what they share
-    double volume = 0;                ///< signed [unit³]; means nothing while the mesh is open
+    size_t buried = 0; ///< components that look outward within others: solid, and no cavity
+    double volume = 0; ///< of the solid, signed [unit³]; means nothing while the mesh is open
 
     /// Ready to be voxelised: closed, oriented and outward. Crossing faces do not hinder that.
     bool boundsVolume() const { return closed && oriented && outward; }

@@ -5,15 +5,33 @@
 #include "mesh/triangle_mesh.h"
 
 #include <string>
+#include <vector>
 
 namespace eikonal::mesh {
 
 /// Reads OBJ, PLY (ASCII and binary), OFF (ASCII) or STL (ASCII and binary), chosen by the
-/// extension in any case. Polygons become triangles, identical points one; points that no face
-/// uses, normals, colours and textures are dropped. Coordinates are taken as world units.
+/// extension in any case, or by the content where there is none of these: in a stream, which is
+/// "-" for standard input or any that base/input_file.h knows. Polygons and strips become
+/// triangles, identical points one; points that no face uses, normals, colours and textures are
+/// dropped. Coordinates are taken as world units.
 /// Throws MissingError where there is no readable file; DataError, with the place and what was
-/// found and expected, for an unknown extension, a file that does not follow its format, a
-/// coordinate that is no finite number, an index out of range, or no faces.
+/// found and expected, for an unknown format, a file that does not follow its format, a coordinate
+/// that is no finite number, an index out of range, or no faces.
 TriangleMesh readMesh(const std::string& path);
+
+/// An object of a file.
+struct Part {
+    std::string name; ///< as the file has it; empty where the file is one object
+    TriangleMesh mesh;
+};
+
+/// The same, apart where the file names objects: those of OBJ's lines `o`, or `g` where there is
+/// no `o`. What is closed only together stays together, under the first's name: parts with an
+/// open edge in common, and a closed part that looks inward with the one around it, whose cavity
+/// it is.
+std::vector<Part> readParts(const std::string& path);
+
+/// "standard input" or the path, as messages have it.
+std::string meshTitle(const std::string& path);
 
 } // namespace eikonal::mesh

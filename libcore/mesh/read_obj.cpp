@@ -1,4 +1,4 @@
-// Wavefront OBJ: the lines `v` and `f`; all other lines are about looks, curves and groups.
+// Wavefront OBJ: the lines `v`, `f`, `o` and `g`; all others are about looks and curves.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/formats.h"
 
@@ -20,24 +20,33 @@ std::int64_t cornerIndex(const FileText& text, size_t word, size_t pointsSoFar) 
     return index > 0 ? index - 1 : static_cast<std::int64_t>(pointsSoFar) + index;
 }
 
+/// What stands behind the keyword, words apart by one blank.
+std::string nameBehind(const std::vector<std::string_view>& words) {
+    std::string name;
+    for (size_t i = 1; i < words.size(); ++i) name += (i > 1 ? " " : "") + std::string(words[i]);
+    return name;
+}
+
 } // namespace
 
 PolygonSoup parseObj(const std::string& path, std::string_view bytes) {
     PolygonSoup soup;
     FileText text(path, bytes);
-    bool continued = false; // a backslash at the end of a face's line
-    while (text.nextLine('#')) {
+    while (text.nextJoinedLine('#')) {
         const std::vector<std::string_view>& words = text.words();
         if (words.empty()) continue;
-        if (words[0] == "v" && !continued) soup.points.push_back(text.point(1));
-        if (words[0] != "f" && !continued) continue;
-        const bool goesOn = words.back() == "\\";
-        for (size_t i = continued ? 0 : 1; i < words.size() - (goesOn ? 1 : 0); ++i)
-            soup.corners.push_back(cornerIndex(text, i, soup.points.size()));
-        continued = goesOn;
-        if (!continued) soup.endPolygon();
+        // A keyword that something invisible hides would be skipped with its point or face.
+        if (words[0][0] < ' ' || words[0][0] > '~') text.fail(text.quoted(0), "a keyword of OBJ");
+        if (words[0] == "v") {
+            soup.points.push_back(text.point(1));
+        } else if (words[0] == "f") {
+            for (size_t i = 1; i < words.size(); ++i)
+                soup.corners.push_back(cornerIndex(text, i, soup.points.size()));
+            soup.endPolygon();
+        } else if (words[0] == "o" || words[0] == "g") {
+            soup.labels.push_back({nameBehind(words), soup.ends.size(), words[0] == "o"});
+        }
     }
-    if (continued) text.fail("the end of the file", "the rest of a face");
     return soup;
 }
 

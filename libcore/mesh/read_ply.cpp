@@ -27,6 +27,21 @@ Type typeNamed(std::string_view name) {
     return Type::none;
 }
 
+size_t bytesOf(Type type) {
+    switch (type) {
+    case Type::int8:
+    case Type::uint8:
+        return 1;
+    case Type::int16:
+    case Type::uint16:
+        return 2;
+    case Type::float64:
+        return 8;
+    default:
+        return 4;
+    }
+}
+
 struct Property {
     std::string name;
     Type type = Type::none;
@@ -124,6 +139,35 @@ public:
         throw InternalError(mPath + ": a PLY property without a type");
     }
 
+    /// Steps over numbers that are of no interest, and so may be anything.
+    void skip(Type type, double count) {
+        if (mForm == Form::ascii) {
+            for (double k = 0; k < count; ++k) takeWord();
+            return;
+        }
+        const double bytes = count * static_cast<double>(bytesOf(type));
+        if (bytes > static_cast<double>(mRest.size())) fail("the end of the file", "more data");
+        mRest.remove_prefix(static_cast<size_t>(bytes));
+    }
+
+    /// How many numbers a property has.
+    double countOf(const Property& property) {
+        if (property.countType == Type::none) return 1;
+        const double count = next(property.countType);
+        if (!(count >= 0 && count <= UINT32_MAX) || count != std::floor(count))
+            fail("no length of a list", "a whole number");
+        return count;
+    }
+
+    /// The index of a point, or a negative number.
+    std::int64_t nextIndex(Type type) {
+        const double value = next(type);
+        // Beyond the range of 32-bit indices a double need not convert.
+        if (!(std::abs(value) <= UINT32_MAX) || value != std::floor(value))
+            fail("no index", "that of a point");
+        return static_cast<std::int64_t>(value);
+    }
+
     /// Where the reader is, for its errors.
     void enter(const std::string& element, std::int64_t index) {
         mElement = element;
@@ -148,14 +192,18 @@ private:
         return static_cast<double>(number);
     }
 
-    double nextWord() {
+    std::string_view takeWord() {
         constexpr std::string_view kBlanks = " \t\r\n\f\v";
         mRest.remove_prefix(std::min(mRest.find_first_not_of(kBlanks), mRest.size()));
         if (mRest.empty()) fail("the end of the file", "more data");
         const std::string_view word = mRest.substr(0, mRest.find_first_of(kBlanks));
-        const auto number = parseNumber(word);
-        if (!number) fail("something else than a finite number", "one");
         mRest.remove_prefix(word.size());
+        return word;
+    }
+
+    double nextWord() {
+        const auto number = parseNumber(takeWord());
+        if (!number) fail("something else than a finite number", "one");
         return *number;
     }
 
@@ -177,14 +225,13 @@ void readVertex(Values& values, const Element& element, PolygonSoup& soup) {
     glm::dvec3 point(0);
     for (const Property& property : element.properties) {
         const int axis = axisOf(property);
-        const double count = property.countType == Type::none ? 1 : values.next(property.countType);
-        for (double k = 0; k < count; ++k) {
-            const double value = values.next(property.type);
-            if (axis < 0) continue;
-            if (!std::isfinite(value))
-                values.fail("a coordinate that is no number", "a finite one");
-            point[axis] = value;
+        if (axis < 0) {
+            values.skip(property.type, values.countOf(property));
+            continue;
         }
+        point[axis] = values.next(property.type);
+        if (!std::isfinite(point[axis]))
+            values.fail("a coordinate that is no number", "a finite one");
     }
     soup.points.push_back(point);
 }
@@ -194,21 +241,47 @@ bool isCorners(const Property& property) {
            (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// Faces, and elements that are of no interest here.
-void readOther(Values& values, const Element& element, bool isFace, PolygonSoup& soup) {
+/// Reads the corners of an element, and steps over what else it has.
+void readCorners(Values& values, const Element& element, std::vector<std::int64_t>& corners) {
     for (const Property& property : element.properties) {
-        const bool corners = isFace && isCorners(property);
-        const double count = property.countType == Type::none ? 1 : values.next(property.countType);
-        for (double k = 0; k < count; ++k) {
-            const double value = values.next(property.type);
-            if (!corners) continue;
-            // Beyond the range of 32-bit indices a double need not convert.
-            if (!(std::abs(value) <= UINT32_MAX) || value != std::floor(value))
-                values.fail("no index", "that of a point");
-            soup.corners.push_back(static_cast<std::int64_t>(value));
+        const double count = values.countOf(property);
+        if (!isCorners(property)) {
+            values.skip(property.type, count);
+            continue;
         }
+        for (double k = 0; k < count; ++k) corners.push_back(values.nextIndex(property.type));
     }
-    if (isFace) soup.endPolygon();
+}
+
+void readFace(Values& values, const Element& element, PolygonSoup& soup) {
+    readCorners(values, element, soup.corners);
+    soup.endPolygon();
+}
+
+/// Strips one after the other, each ended by a negative index; every triangle shares two corners
+/// with the one before, and every second one runs the other way round.
+void readStrips(Values& values, const Element& element, PolygonSoup& soup) {
+    std::vector<std::int64_t> corners;
+    readCorners(values, element, corners);
+    for (size_t begin = 0, i = 0; i < corners.size(); ++i) {
+        if (corners[i] < 0) begin = i + 1;
+        if (i < begin + 2) continue;
+        std::int64_t a = corners[i - 2], b = corners[i - 1];
+        const std::int64_t c = corners[i];
+        if (a == b || b == c || c == a) continue; // strips are joined by such
+        if ((i - begin) % 2 == 1) std::swap(a, b);
+        soup.corners.insert(soup.corners.end(), {a, b, c});
+        soup.endPolygon();
+    }
+}
+
+void skipElement(Values& values, const Element& element) {
+    for (const Property& property : element.properties)
+        values.skip(property.type, values.countOf(property));
+}
+
+bool isStrips(const Element& element) {
+    return element.name == "tristrips";
 }
 
 void requireParts(const std::string& path, const Head& head) {
@@ -217,7 +290,8 @@ void requireParts(const std::string& path, const Head& head) {
         for (const Property& property : element.properties) {
             const int axis = axisOf(property);
             if (element.name == "vertex" && axis >= 0) axes[axis] = true;
-            if (element.name == "face" && isCorners(property)) corners = true;
+            if ((element.name == "face" || isStrips(element)) && isCorners(property))
+                corners = true;
         }
     if (!axes[0] || !axes[1] || !axes[2])
         throw DataError(path + ": found no vertex x, y and z in the head, expected all three");
@@ -240,8 +314,12 @@ PolygonSoup parsePly(const std::string& path, std::string_view bytes) {
             values.enter(element.name, i);
             if (element.name == "vertex")
                 readVertex(values, element, soup);
+            else if (element.name == "face")
+                readFace(values, element, soup);
+            else if (isStrips(element))
+                readStrips(values, element, soup);
             else
-                readOther(values, element, element.name == "face", soup);
+                skipElement(values, element);
         }
     }
     return soup;

@@ -22,21 +22,36 @@ void addCorner(PolygonSoup& soup, const glm::dvec3& point) {
     soup.points.push_back(point);
 }
 
-size_t promisedBytes(std::string_view bytes) {
+size_t countedTriangles(std::string_view bytes) {
     std::uint32_t triangles = 0;
     std::memcpy(&triangles, bytes.data() + 80, sizeof triangles);
-    return kHeadBytes + kTriangleBytes * triangles;
+    return triangles;
+}
+
+/// The triangles of a binary file by its head, or by its size where the head's count was never
+/// filled in, as programs leave it that write to a pipe. Bytes behind them are no harm, but where
+/// they make whole triangles it is unclear how many there are.
+size_t trianglesOf(const std::string& path, std::string_view bytes) {
+    const size_t counted = bytes.size() < kHeadBytes ? 0 : countedTriangles(bytes);
+    const size_t promised = kHeadBytes + kTriangleBytes * counted;
+    const size_t rest = bytes.size() < kHeadBytes ? 0 : bytes.size() - kHeadBytes;
+    const bool whole = rest > 0 && rest % kTriangleBytes == 0;
+    if (whole && (counted == 0 || counted == UINT32_MAX)) return rest / kTriangleBytes;
+    if (bytes.size() < promised || bytes.size() < kHeadBytes)
+        throw DataError(path + ": found " + std::to_string(bytes.size()) +
+                        " bytes, expected an ASCII STL file, beginning with 'solid', or a binary "
+                        "one of at least " +
+                        std::to_string(promised));
+    if (whole && rest / kTriangleBytes != counted)
+        throw DataError(path + ": found " + std::to_string(rest / kTriangleBytes) +
+                        " triangles by the size of the file, expected " + std::to_string(counted) +
+                        " by the count in its head");
+    return counted;
 }
 
 PolygonSoup parseBinary(const std::string& path, std::string_view bytes) {
-    if (bytes.size() < kHeadBytes || bytes.size() < promisedBytes(bytes))
-        throw DataError(
-            path + ": found " + std::to_string(bytes.size()) +
-            " bytes, expected an ASCII STL file, beginning with 'solid', or a binary "
-            "one of at least " +
-            std::to_string(bytes.size() < kHeadBytes ? kHeadBytes : promisedBytes(bytes)));
+    const size_t triangles = trianglesOf(path, bytes);
     PolygonSoup soup;
-    const size_t triangles = (promisedBytes(bytes) - kHeadBytes) / kTriangleBytes;
     for (size_t i = 0; i < triangles; ++i) {
         float corners[9];
         std::memcpy(corners, bytes.data() + kHeadBytes + i * kTriangleBytes + kNormalBytes,
@@ -88,14 +103,20 @@ PolygonSoup parseAscii(const std::string& path, std::string_view bytes) {
 
 } // namespace
 
-PolygonSoup parseStl(const std::string& path, std::string_view bytes) {
-    // Binary files whose text begins with "solid" exist; their size gives them away.
-    const bool exactSize = bytes.size() >= kHeadBytes && bytes.size() == promisedBytes(bytes);
-    FileText text(path, bytes);
+bool isBinaryStl(std::string_view bytes) {
+    if (bytes.size() >= kHeadBytes &&
+        bytes.size() == kHeadBytes + kTriangleBytes * countedTriangles(bytes))
+        return true;
+    // Binary files whose text begins with "solid" exist; no text has zeros.
+    FileText text("", bytes);
     while (text.nextLine() && text.words().empty()) {
     }
     const bool solid = !text.words().empty() && isWord(text, "solid");
-    return solid && !exactSize ? parseAscii(path, bytes) : parseBinary(path, bytes);
+    return !solid || (bytes.size() > kHeadBytes && bytes.find('\0') != std::string_view::npos);
+}
+
+PolygonSoup parseStl(const std::string& path, std::string_view bytes) {
+    return isBinaryStl(bytes) ? parseBinary(path, bytes) : parseAscii(path, bytes);
 }
 
 } // namespace eikonal::mesh

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/repair.h"
 
+#include "base/text.h"
 #include "mesh/check.h"
 #include "mesh/shells.h"
+#include "mesh/weld.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -35,10 +37,8 @@ void say(std::vector<std::string>& actions, size_t count, const std::string& ver
     if (count > 0) actions.push_back(verb + " " + counted(count, noun) + rest);
 }
 
-/// Merges points and drops the faces that are no triangles or were there before.
-void cleanSoup(TriangleMesh& mesh, std::vector<std::string>& actions) {
-    say(actions, mergeIdenticalPoints(mesh), "merged or dropped", "point",
-        " given twice or used by no triangle");
+/// Drops the faces that are no triangles or were there before.
+void dropIdleFaces(TriangleMesh& mesh, std::vector<std::string>& actions) {
     std::set<std::array<std::uint32_t, 3>> seen;
     std::vector<glm::uvec3> kept;
     size_t degenerate = 0, duplicate = 0;
@@ -57,6 +57,14 @@ void cleanSoup(TriangleMesh& mesh, std::vector<std::string>& actions) {
     say(actions, duplicate, "dropped", "triangle", " given twice");
 }
 
+void weld(TriangleMesh& mesh, std::vector<std::string>& actions) {
+    const Weld done = weldNearPoints(mesh);
+    if (done.points == 0) return;
+    say(actions, done.points, "merged", "point",
+        " within " + toText(static_cast<float>(done.tolerance)) + " of another");
+    dropIdleFaces(mesh, actions);
+}
+
 /// Counts what CGAL does to the soup.
 struct OrientationCount : PMP::Default_orientation_visitor {
     size_t *turned, *cut;
@@ -65,12 +73,14 @@ struct OrientationCount : PMP::Default_orientation_visitor {
     void duplicated_vertex(std::size_t, std::size_t) { ++*cut; }
 };
 
-Surface orientedSurface(const TriangleMesh& mesh, std::vector<std::string>& actions) {
+/// `turned` counts the faces that were.
+Surface orientedSurface(const TriangleMesh& mesh, std::vector<std::string>& actions,
+                        size_t& turned) {
     std::vector<Point> points;
     for (const glm::dvec3& p : mesh.points) points.emplace_back(p.x, p.y, p.z);
     std::vector<std::vector<std::size_t>> faces;
     for (const glm::uvec3& face : mesh.triangles) faces.push_back({face.x, face.y, face.z});
-    size_t turned = 0, cut = 0;
+    size_t cut = 0;
     PMP::orient_polygon_soup(points, faces,
                              CGAL::parameters::visitor(OrientationCount(&turned, &cut)));
     say(actions, turned, "turned", "triangle", " to agree with the neighbours");
@@ -128,22 +138,49 @@ TriangleMesh fromSurface(Surface& surface) {
     return mesh;
 }
 
-/// Drops the shells that enclose nothing, unless that is all there is.
-void dropFlatShells(TriangleMesh& mesh, std::vector<std::string>& actions) {
-    const std::vector<Shell> shells = findShells(mesh, sortedEdges(mesh));
-    const auto flat =
-        std::count_if(shells.begin(), shells.end(), [](const Shell& shell) { return shell.flat; });
-    if (flat == 0 || flat == static_cast<std::ptrdiff_t>(shells.size())) return;
-    std::vector<glm::uvec3> kept;
-    for (const Shell& shell : shells)
-        if (!shell.flat)
-            for (std::uint32_t face : shell.faces) kept.push_back(mesh.triangles[face]);
-    mesh.triangles = std::move(kept);
-    say(actions, static_cast<size_t>(flat), "dropped", "flat part", " that enclosed nothing");
+/// Parts that enclose nothing.
+struct Sheets {
+    size_t count = 0;
+    double area = 0;   ///< without what filled their holes [unit²]
+    double filled = 0; ///< [unit²]
+};
+
+/// Whether a shell is a sheet with its own back for a filling: half of it is that, and it is
+/// thinner than a thousandth of its size.
+bool isSheet(const Shell& shell, double filled) {
+    if (shell.flat) return true;
+    return filled >= 0.49 * shell.area &&
+           std::abs(shell.volume) <=
+               1e-3 * shell.area * glm::distance(shell.box.min, shell.box.max);
 }
 
-/// Turns shells so that outermost ones look outward, those within them inward, and so on.
-void turnOutward(TriangleMesh& mesh, std::vector<std::string>& actions) {
+/// Drops the shells that enclose nothing, unless that is all there is. Faces from `firstAdded` on
+/// fill holes.
+Sheets dropSheets(TriangleMesh& mesh, size_t firstAdded, std::vector<std::string>& actions) {
+    const std::vector<Shell> shells = findShells(mesh, sortedEdges(mesh));
+    Sheets sheets;
+    std::vector<glm::uvec3> kept;
+    for (const Shell& shell : shells) {
+        double filled = 0;
+        for (const std::uint32_t face : shell.faces)
+            if (face >= firstAdded) filled += faceArea(mesh, mesh.triangles[face]);
+        if (isSheet(shell, filled)) {
+            ++sheets.count;
+            sheets.area += shell.area - filled;
+            sheets.filled += filled;
+            continue;
+        }
+        for (const std::uint32_t face : shell.faces) kept.push_back(mesh.triangles[face]);
+    }
+    if (kept.empty() || sheets.count == 0) return sheets;
+    mesh.triangles = std::move(kept);
+    say(actions, sheets.count, "dropped", "flat part", " that enclosed nothing");
+    return sheets;
+}
+
+/// Turns shells so that outermost ones look outward, those within them inward, and so on. Gives
+/// how many were.
+size_t turnOutward(TriangleMesh& mesh, std::vector<std::string>& actions) {
     const std::vector<Shell> shells = findShells(mesh, sortedEdges(mesh));
     const std::vector<int> depths =
         nestingDepths(mesh, shells, std::vector<char>(shells.size(), 1));
@@ -156,6 +193,48 @@ void turnOutward(TriangleMesh& mesh, std::vector<std::string>& actions) {
         ++turned;
     }
     say(actions, turned, "turned", "closed part", ", so that the volume lies behind the faces");
+    return turned;
+}
+
+/// What a repair must keep.
+struct Figures {
+    explicit Figures(const TriangleMesh& mesh)
+        : box(boundingBox(mesh)), area(surfaceArea(mesh)), volume(signedVolume(mesh)),
+          gap(glm::length(vectorArea(mesh))) {}
+
+    Box box;
+    double area, volume;
+    double gap; ///< what the faces' areas as vectors lack to cancel [unit²]
+};
+
+std::string shift(const std::string& what, double from, double to) {
+    return "its " + what + " went from " + toText(static_cast<float>(from)) + " to " +
+           toText(static_cast<float>(to));
+}
+
+/// Which of the figures changed beyond what the actions say. `added` is the area of what fills
+/// holes of parts that were kept; `turned` whether any face was.
+std::string lossOf(const Figures& before, const Figures& after, const Sheets& sheets, double added,
+                   bool turned) {
+    const double kShare = 0.1; // of the surface: flaps and crumbs are less, a lost body is more
+    const double kClose = 1e-3;
+    if (sheets.area > kShare * before.area)
+        return counted(sheets.count, "part") + ", " +
+               toText(std::round(100 * sheets.area / before.area)) +
+               " % of its surface, would be flat";
+    const double diagonal = glm::distance(before.box.min, before.box.max);
+    if (sheets.count == 0 && (glm::distance(before.box.min, after.box.min) > kClose * diagonal ||
+                              glm::distance(before.box.max, after.box.max) > kClose * diagonal))
+        return shift("box's diagonal", diagonal, glm::distance(after.box.min, after.box.max));
+    if (std::abs(after.area - added - before.area + sheets.area) > kClose * before.area)
+        return shift("area", before.area, after.area - added);
+    // What is closed but for seams has a volume, whatever its topology says.
+    const bool hasVolume = before.gap <= 1e-6 * before.area && !turned;
+    const double rounding = (before.gap + 1e-9 * before.area) * diagonal;
+    if (hasVolume &&
+        std::abs(after.volume - before.volume) > kClose * std::abs(before.volume) + rounding)
+        return shift("volume", before.volume, after.volume);
+    return "";
 }
 
 } // namespace
@@ -163,18 +242,29 @@ void turnOutward(TriangleMesh& mesh, std::vector<std::string>& actions) {
 RepairResult repairMesh(const TriangleMesh& mesh) {
     RepairResult result;
     result.mesh = mesh;
-    const MeshReport before = checkTopology(mesh);
-    if (before.boundsVolume() && before.duplicateFaces == 0 && before.degenerateFaces == 0)
+    const MeshReport report = checkTopology(mesh);
+    if (report.boundsVolume() && report.duplicateFaces == 0 && report.degenerateFaces == 0)
         return result;
-    cleanSoup(result.mesh, result.actions);
+    say(result.actions, mergeIdenticalPoints(result.mesh), "merged or dropped", "point",
+        " given twice or used by no triangle");
+    dropIdleFaces(result.mesh, result.actions);
     if (result.mesh.triangles.empty()) return result;
-    Surface surface = orientedSurface(result.mesh, result.actions);
+    const Figures before(result.mesh);
+    weld(result.mesh, result.actions);
+    size_t turned = 0;
+    Surface surface = orientedSurface(result.mesh, result.actions, turned);
+    const size_t firstAdded = surface.number_of_faces();
     closeSurface(surface, result.actions);
     result.mesh = fromSurface(surface);
-    dropFlatShells(result.mesh, result.actions);
+    double added = 0;
+    for (size_t face = firstAdded; face < result.mesh.triangles.size(); ++face)
+        added += faceArea(result.mesh, result.mesh.triangles[face]);
+    const Sheets sheets = dropSheets(result.mesh, firstAdded, result.actions);
+    added -= sheets.filled;
     // Points stay apart where the surface was cut: merged they would join the sheets again.
     dropUnusedPoints(result.mesh);
-    if (!checkTopology(result.mesh).outward) turnOutward(result.mesh, result.actions);
+    if (!checkTopology(result.mesh).outward) turned += turnOutward(result.mesh, result.actions);
+    result.loss = lossOf(before, Figures(result.mesh), sheets, added, turned > 0);
     return result;
 }
 

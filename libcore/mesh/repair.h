@@ -12,13 +12,16 @@ namespace eikonal::mesh {
 struct RepairResult {
     TriangleMesh mesh;
     std::vector<std::string> actions; ///< one sentence each; empty if the mesh was sound
+    /// What of the surface was lost, or changed by more than the actions say; empty: nothing.
+    std::string loss;
 };
 
-/// Merges points, drops faces of repeated corners or given twice, makes neighbours agree, cuts
-/// the surface where more than two faces meet, stitches seams, fills every hole, and turns shells
-/// outward, those within another alternately in and out. A mesh that already bounds a volume
-/// stays as it is. Faces that cross stay crossed. Check the result: a flat sheet still encloses
-/// nothing when its back is closed. Takes any soup of finite points and indices in range.
+/// Merges points, also those that rounding holds apart (weldNearPoints), drops faces of repeated
+/// corners or given twice, makes neighbours agree, cuts the surface where more than two faces meet,
+/// stitches seams, fills every hole, and turns shells outward, those within another alternately in
+/// and out. A mesh that already bounds a volume stays as it is. Faces that cross stay crossed.
+/// Check the result, and `loss`: a flat sheet still encloses nothing when its back is closed. Takes
+/// any soup of finite points and indices in range.
 RepairResult repairMesh(const TriangleMesh& mesh);
 
 } // namespace eikonal::mesh

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/shells.h"
 
+#include "mesh/triangle_tree.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -20,17 +22,17 @@ void measure(const TriangleMesh& mesh, Shell& shell) {
     for (std::uint32_t face : shell.faces)
         for (int k = 0; k < 3; ++k) shell.box.include(mesh.points[mesh.triangles[face][k]]);
     const glm::dvec3 centre = 0.5 * (shell.box.min + shell.box.max);
-    double area = 0;
     for (std::uint32_t face : shell.faces) {
         const glm::uvec3& corners = mesh.triangles[face];
         const glm::dvec3 a = mesh.points[corners.x] - centre, b = mesh.points[corners.y] - centre,
                          c = mesh.points[corners.z] - centre;
         shell.volume += glm::dot(a, glm::cross(b, c)) / 6;
-        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+        shell.area += 0.5 * glm::length(glm::cross(b - a, c - a));
     }
     // Far above the rounding of coordinates in a double, far below any plate one would voxelise:
     // a mean thickness of a billionth of the shell's size.
-    shell.flat = std::abs(shell.volume) <= 1e-9 * area * glm::length(shell.box.max - shell.box.min);
+    shell.flat =
+        std::abs(shell.volume) <= 1e-9 * shell.area * glm::length(shell.box.max - shell.box.min);
 }
 
 bool isAround(const TriangleMesh& mesh, const Shell& shell, const glm::dvec3& x) {
@@ -111,6 +113,32 @@ std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell
                 ++depths[i];
     }
     return depths;
+}
+
+std::vector<char> buriedShells(const TriangleMesh& mesh, const std::vector<Shell>& shells) {
+    std::vector<char> buried(shells.size(), 0);
+    if (shells.size() < 2) return buried;
+    // Shells that don't cross have all of their faces on one side; of those that do, many lie so.
+    constexpr size_t kSamples = 32;
+    const Box box = boundingBox(mesh);
+    const double skin = 1e-9 * glm::distance(box.min, box.max); // above rounding, below any gap
+    const TriangleTree tree(mesh);
+    for (size_t i = 0; i < shells.size(); ++i) {
+        const std::vector<std::uint32_t>& faces = shells[i].faces;
+        const size_t stride = std::max<size_t>(1, faces.size() / kSamples);
+        bool within = !shells[i].flat;
+        for (size_t k = 0; within && k < faces.size(); k += stride) {
+            const glm::uvec3& face = mesh.triangles[faces[k]];
+            const glm::dvec3 &a = mesh.points[face.x], &b = mesh.points[face.y],
+                             &c = mesh.points[face.z];
+            const glm::dvec3 normal = glm::cross(b - a, c - a);
+            const double length = glm::length(normal);
+            if (!(length > 0)) continue;
+            within = tree.winding((a + b + c) / 3.0 + skin / length * normal) > 0;
+        }
+        buried[i] = within;
+    }
+    return buried;
 }
 
 } // namespace eikonal::mesh

@@ -26,6 +26,7 @@ size_t endOfEdge(const std::vector<FaceEdge>& edges, size_t begin);
 struct Shell {
     std::vector<std::uint32_t> faces;
     Box box;           ///< world space [unit]
+    double area = 0;   ///< [unit²]
     double volume = 0; ///< signed [unit³]
     bool flat = false; ///< encloses nothing but what rounding leaves
 };
@@ -37,5 +38,9 @@ std::vector<Shell> findShells(const TriangleMesh& mesh, const std::vector<FaceEd
 /// Shells whose `wanted` is 0 are skipped (0 is given).
 std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell>& shells,
                                const std::vector<char>& wanted);
+
+/// For each shell of a closed mesh whether all of it lies within the solid, where the surface winds
+/// around a point at least once: then it bounds nothing. Flat shells count as not.
+std::vector<char> buriedShells(const TriangleMesh& mesh, const std::vector<Shell>& shells);
 
 } // namespace eikonal::mesh

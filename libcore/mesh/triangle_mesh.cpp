@@ -28,6 +28,31 @@ Box boundingBox(const TriangleMesh& mesh) {
     return box;
 }
 
+namespace {
+
+glm::dvec3 areaVector(const TriangleMesh& mesh, const glm::uvec3& face) {
+    const glm::dvec3& a = mesh.points[face.x];
+    return 0.5 * glm::cross(mesh.points[face.y] - a, mesh.points[face.z] - a);
+}
+
+} // namespace
+
+double faceArea(const TriangleMesh& mesh, const glm::uvec3& face) {
+    return glm::length(areaVector(mesh, face));
+}
+
+double surfaceArea(const TriangleMesh& mesh) {
+    double sum = 0;
+    for (const glm::uvec3& face : mesh.triangles) sum += faceArea(mesh, face);
+    return sum;
+}
+
+glm::dvec3 vectorArea(const TriangleMesh& mesh) {
+    glm::dvec3 sum(0);
+    for (const glm::uvec3& face : mesh.triangles) sum += areaVector(mesh, face);
+    return sum;
+}
+
 double signedVolume(const TriangleMesh& mesh) {
     const Box box = boundingBox(mesh);
     // Tetrahedra towards the box's centre: far from the origin those towards it would cancel.
@@ -94,6 +119,12 @@ size_t mergeIdenticalPoints(TriangleMesh& mesh) {
     for (glm::uvec3& face : mesh.triangles)
         for (int k = 0; k < 3; ++k) face[k] = first[face[k]];
     return dropUnusedPoints(mesh);
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+    for (const glm::uvec3& face : other.triangles) mesh.triangles.push_back(face + first);
 }
 
 } // namespace eikonal::mesh

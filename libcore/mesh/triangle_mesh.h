@@ -31,6 +31,16 @@ Box boundingBox(const TriangleMesh& mesh);
 /// number depends on where the box's centre lies.
 double signedVolume(const TriangleMesh& mesh);
 
+/// [unit²]
+double faceArea(const TriangleMesh& mesh, const glm::uvec3& face);
+
+/// The sum of the faces' areas [unit²].
+double surfaceArea(const TriangleMesh& mesh);
+
+/// The sum of the faces' areas as vectors along their normals [unit²]; none where the surface is
+/// closed and its faces agree.
+glm::dvec3 vectorArea(const TriangleMesh& mesh);
+
 /// How often the surface wraps around `x`: the sum of the faces' signed solid angles over 4π. For
 /// a closed mesh 1 inside, 0 outside, -1 inside one turned inside out; a fraction for an open one.
 /// Linear in the number of triangles.
@@ -45,6 +55,9 @@ size_t dropUnusedPoints(TriangleMesh& mesh);
 
 /// Makes points of equal coordinates one, then drops unused ones. Gives the number that went.
 size_t mergeIdenticalPoints(TriangleMesh& mesh);
+
+/// Puts another mesh's points and triangles behind a mesh's own.
+void append(TriangleMesh& mesh, const TriangleMesh& other);
 
 /// Whether two corners of the face are the same point of the list.
 inline bool hasRepeatedCorner(const glm::uvec3& face) {

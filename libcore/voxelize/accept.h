@@ -13,7 +13,7 @@ namespace eikonal::voxelize {
 struct Acceptance {
     std::vector<std::string> findings; ///< its size first, then one sentence per fault
     std::vector<std::string> repairs;  ///< one sentence each
-    bool crosses = false;              ///< triangles cross each other: the volume is a guess there
+    std::vector<std::string> warnings; ///< where its maker may have meant another volume
 };
 
 /// Makes sure that `mesh` bounds a volume. Which side is out, and where a hole's lid would lie, is

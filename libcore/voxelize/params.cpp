@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "voxelize/shared.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,10 +89,20 @@ bool isObjectName(const std::string& name) {
     });
 }
 
-void refuseCount(const std::string& option, size_t given, size_t count) {
-    throw UsageError(option + ": given " + std::to_string(given) + " times, expected once" +
-                     (count > 1 ? " or once for each of the " + std::to_string(count) + " meshes"
-                                : ", as there is one mesh"));
+int mostSharpObjects() {
+    return kMostObjects;
+}
+
+void refuseCount(const std::string& option, size_t given, const Place& place) {
+    std::string wanted = "once";
+    if (place.files > 1)
+        wanted += " or once for each of the " + std::to_string(place.files) + " meshes";
+    if (place.objects > place.files)
+        wanted += " or once for each of the " + std::to_string(place.objects) + " objects in " +
+                  (place.files > 1 ? "them" : "it");
+    else if (place.files == 1)
+        wanted += ", as there is one mesh";
+    throw UsageError(option + ": given " + std::to_string(given) + " times, expected " + wanted);
 }
 
 void Params::check() const {

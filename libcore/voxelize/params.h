@@ -62,15 +62,25 @@ constexpr int kLongestEdge = 2046;
 // Voxel sizes [unit] that files can hold, and later stages square and cube in floats.
 constexpr double kSmallestVoxel = volume::kLeastVoxelSize, kLargestVoxel = 1e12;
 
-/// The message of forObject().
-[[noreturn]] void refuseCount(const std::string& option, size_t given, size_t count);
+/// How many objects with sharp boundaries the later stages take.
+int mostSharpObjects();
 
-/// The k-th of `given`, which were given once for all or once each for `count` meshes. Throws
-/// UsageError for any other number of them.
+/// Which of the objects one is, and which of the files it comes from.
+struct Place {
+    size_t object, objects; ///< its number, and how many there are
+    size_t file, files;
+};
+
+/// The message of forObject().
+[[noreturn]] void refuseCount(const std::string& option, size_t given, const Place& place);
+
+/// The value for an object of those `given`: once for all, once for each file, or once for each
+/// object. Throws UsageError for any other number of them.
 template<typename T>
-const T& forObject(const std::string& option, const std::vector<T>& given, size_t k, size_t count) {
-    if (given.size() == count) return given[k];
-    if (given.size() != 1) refuseCount(option, given.size(), count);
+const T& forObject(const std::string& option, const std::vector<T>& given, const Place& place) {
+    if (given.size() == place.objects) return given[place.object];
+    if (given.size() == place.files) return given[place.file];
+    if (given.size() != 1) refuseCount(option, given.size(), place);
     return given.front();
 }
 

@@ -115,6 +115,23 @@ std::string remedyFor(const Params& params, double thickness) {
            " would";
 }
 
+/// How far a plate of so many voxels turns rays at the most, as tests hold it. [degree]
+double mostTurn(double voxels) {
+    struct Bar {
+        double voxels, degrees;
+    };
+    constexpr Bar kBars[] = {{2, 8}, {3, 1.4}, {5, 0.03}};
+    const Bar* bar = voxels < 3 ? kBars : kBars + 1;
+    const double t = (voxels - bar[0].voxels) / (bar[1].voxels - bar[0].voxels);
+    return bar[0].degrees * std::pow(bar[1].degrees / bar[0].degrees, t);
+}
+
+/// What becomes of a wall that is too thin.
+std::string harmOf(double voxels) {
+    if (voxels < kLostWall) return "a sharp boundary loses it";
+    return "rays through it may be " + rounded(mostTurn(voxels), 2) + "° off";
+}
+
 } // namespace
 
 std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan) {
@@ -122,14 +139,15 @@ std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan
     for (size_t k = 0; k < plan.walls.size(); ++k) {
         const auto& wall = plan.walls[k];
         if (!wall) continue;
-        const double voxels = wall->thickness / plan.lattice.voxelSize;
-        if (voxels * (1 + 1e-6) >= kThinnestWall) continue; // but for the rounding of a search
+        // But for the rounding of a search.
+        const double voxels = wall->thickness / plan.lattice.voxelSize * (1 + 1e-6);
+        if (voxels >= kThinnestWall) continue;
         warnings.push_back("'" + params.objects[k].name + "' has a wall of " +
                            rounded(wall->thickness) + " units, " + rounded(voxels) +
                            " voxels, at (" + rounded(wall->middle.x) + ", " +
                            rounded(wall->middle.y) + ", " + rounded(wall->middle.z) +
-                           "): a sharp boundary needs " + toText(kThinnestWall) + " voxels, " +
-                           remedyFor(params, wall->thickness));
+                           "): " + harmOf(voxels) + "; it needs " + toText(kThinnestWall) +
+                           " voxels, " + remedyFor(params, wall->thickness));
     }
     return warnings;
 }

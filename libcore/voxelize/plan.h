@@ -22,9 +22,13 @@ struct Plan {
     std::int64_t hostBytes = 0; ///< of grids, while they are filled and as trees [byte]
 };
 
-// A signed distance is negative at one sample of a thinner wall at most, and its slopes then are
-// not those of two boundaries but of none. [voxel]
-constexpr double kThinnestWall = 2;
+// Of a thinner wall a cubic spline of distances feels the crease in the middle, which turns both
+// faces. [voxel]
+constexpr double kThinnestWall = 5;
+
+// Of a thinner one a signed distance is negative at one sample at most, and its slopes are not
+// those of two boundaries but of none. [voxel]
+constexpr double kLostWall = 2;
 
 /// What to say of walls that distances can't hold: a sentence per object, with what would hold it.
 std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan);

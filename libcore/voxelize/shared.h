@@ -9,6 +9,7 @@ namespace eikonal::voxelize {
 using glm::ivec4;
 using glm::vec4;
 #include "shared/bindings.h"
+#include "shared/limits.h"
 #include "shared/voxelize_params.h"
 
 static_assert(sizeof(StripParams) == 32);

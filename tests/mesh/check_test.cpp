@@ -170,6 +170,29 @@ TEST(Check, ACavityMayLookInwardAnIslandMayNot) {
     EXPECT_FALSE(checkMesh(joined(turnedInsideOut(outer), inner)).outward);
 }
 
+TEST(Check, TheVolumeIsThatOfTheSolid) {
+    const auto box = [](double half, double x) {
+        return moved(boxShape(glm::dvec3(-half), glm::dvec3(half)), {x, 0, 0});
+    };
+    const auto expect = [](const TriangleMesh& mesh, double volume, size_t buried) {
+        const MeshReport report = checkMesh(mesh);
+        EXPECT_TRUE(report.boundsVolume());
+        EXPECT_NEAR(report.volume, volume, 1e-12 * volume);
+        EXPECT_EQ(report.buried, buried);
+        EXPECT_EQ(says(report, "within the solid"), buried > 0);
+    };
+    expect(joined(box(2, 0), box(1, 0)), 64, 1);
+    expect(joined(box(2, 0), joined(box(1, 0), box(0.5, 0))), 64, 2);
+    expect(joined(box(2, 0), box(1, 9)), 72, 0);
+    // An island in a cavity shows; within the island another does not.
+    const TriangleMesh hollow = joined(box(4, 0), turnedInsideOut(box(3, 0)));
+    expect(joined(hollow, box(1, 0)), 512 - 216 + 8, 0);
+    expect(joined(hollow, joined(box(1, 0), box(0.5, 0))), 512 - 216 + 8, 1);
+    expect(joined(hollow, box(0.25, 3.5)), 512 - 216, 1); // within the wall
+    // What crosses is not wholly within.
+    EXPECT_EQ(checkMesh(joined(box(2, 0), box(1, 2.5))).buried, 0u);
+}
+
 TEST(Check, FarFromTheOriginNothingChanges) {
     // At 1e6 a double still resolves 1e-10; coordinates move to neighbours, topology stays.
     const glm::dvec3 far(1e6, -1e6, 1e6);

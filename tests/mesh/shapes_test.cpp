@@ -1,8 +1,8 @@
 // The shapes that other tests lean on, and the winding number that judges.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/check.h"
-#include "support/shapes.h"
 #include "mesh/triangulate.h"
+#include "support/shapes.h"
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The tree's answers against those of every triangle asked one by one.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/shapes.h"
 #include "mesh/solid_boundary.h"
 #include "mesh/triangle_tree.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Walls of known thickness, and what is none: found where they are, whatever else is around.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/shapes.h"
 #include "mesh/walls.h"
+#include "support/shapes.h"
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 tool=mesh2vol
 . "$(dirname "$0")/../support/manners.sh"
-small="--ior 1.5 --resolution 20 --padding 3"
+small="--ior 1.5 --resolution 21 --padding 3"
 
 # makes FILE ARGUMENTS...: the tool writes the file.
 makes() {
@@ -66,6 +66,17 @@ test_bad_usage() {
     refuses 64 box.obj $small --sdf -o out.vdb # it is written without being asked for
 }
 
+test_numbers_for_meshes() {
+    local numbers
+    for numbers in "--ior 1.5 1.33" "--ior 1.5 1.33 1 1" "--ior 1.5 --absorption 1 1,2,3"; do
+        refuses 64 box.obj box.obj -o out.vdb $numbers
+        says "is a number, not a mesh: .* again for each"
+    done
+    cp box.obj 1.33 # unless there is one
+    makes number.vdb 1.33 box.obj $small
+    rm 1.33
+}
+
 test_bad_values() {
     refuses 64 box.obj -o out.vdb --ior 0
     says "--ior: found 0, expected above 0"
@@ -111,6 +122,8 @@ test_bad_input() {
     says "--repair closes it"
     refuses 65 inverted.obj $small -o out.vdb
     says "inside out"
+    refuses 65 pulled.obj $small --repair -o out.vdb # every face closed by its own back
+    says "pulled.obj: .*expected"
     refuses 65 sheet.obj $small --repair -o out.vdb
     refuses 65 box.obj open.obj $small -o out.vdb
 }
@@ -144,7 +157,7 @@ test_a_box() {
     is_silent
     has_grids box.vdb ior ior.box sdf # only what differs from a vacuum is written
     lines_of box.vdb 4 'class: level set|eikonal:object: box$|eikonal:(order|priority): 0$'
-    lines_of box.vdb 5 'Number of active voxels: +(3,520|0)$|Background value: 1(\.5)?$'
+    lines_of box.vdb 5 'Number of active voxels: +(3,696|0)$|Background value: 1(\.5)?$'
     mesh2vol box.obj $small -o - >piped.vdb
     has_grids piped.vdb ior ior.box sdf
     makes blurred.vdb box.obj $small --boundary blurred
@@ -163,12 +176,86 @@ test_repair() {
     makes inverted.vdb inverted.obj $small --repair
 }
 
+test_repair_of_soup() {
+    makes near.vdb near.obj $small --repair
+    says "merged 14 points within"
+    says "repaired: 12 triangles, 8 points, 1 component, volume 6.0000"
+}
+
+# An inner shell that looks outward makes no cavity.
+test_a_cavity_that_is_none() {
+    { cat box.obj && awk '/^v/ {print "v", $2 / 2 + 0.25, $3 / 2 + 0.5, $4 / 2 + 0.75}
+        /^f/ {print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8}' box.obj; } >solid.obj
+    makes solid.vdb solid.obj $small
+    says "warning: solid.obj: 1 closed part looks outward within another and is solid like it, volume 6:"
+    awk '/^f/ && ++n > 6 {print "f", $5, $4, $3, $2; next} {print}' solid.obj >hollow.obj
+    makes hollow.vdb hollow.obj $small
+    grep -q "looks outward" stderr && fail "a cavity is told of"
+}
+
 test_stats() {
     makes stats.vdb box.obj $small --stats stats.json
     local word
     for word in '"occupied_voxels"' '"voxelize"' '"why"' '"triangles": 12'; do
         grep -q -e "$word" stats.json || fail "no $word in the statistics"
     done
+}
+
+# Told by what they hold, and called alike from run to run.
+test_streams() {
+    makes file.vdb box.obj $small --name mesh
+    expect 0 mesh2vol - -o stream.vdb $small <box.obj
+    has_grids stream.vdb ior ior.mesh sdf
+    cat box.obj | expect 0 mesh2vol - -o stream.vdb $small
+    expect 0 mesh2vol <(gzip -c box.obj | gunzip) -o stream.vdb $small
+    has_grids stream.vdb ior ior.mesh sdf
+    mkfifo fifo
+    cat box.obj >fifo &
+    expect 0 mesh2vol fifo <(cat far.obj) -o stream.vdb $small
+    has_grids stream.vdb ior ior.mesh1 ior.mesh2 sdf.mesh1 sdf.mesh2
+    expect 64 mesh2vol - - -o out.vdb $small <box.obj
+    expect 65 mesh2vol - -o out.vdb $small <garbage.off
+    says "standard input: found no extension and no content that tells"
+    expect 65 mesh2vol - -o out.vdb $small </dev/null
+    says "standard input: found an empty file"
+    expect 65 mesh2vol <(gzip -c box.obj) -o out.vdb $small
+    says "compressed by gzip"
+    nothing_left
+}
+
+test_objects_of_a_file() {
+    makes two.vdb two.obj $small
+    has_grids two.vdb ior ior.two.far ior.two.near_a_ sdf.two.far sdf.two.near_a_
+    lines_of two.vdb 2 'eikonal:order: [01]$'
+    makes two.vdb two.obj $small --name pair --ior 1.3 --absorption 0 --absorption 1
+    has_grids two.vdb absorption absorption.pair.far ior ior.pair.far ior.pair.near_a_ \
+        sdf.pair.far sdf.pair.near_a_
+    makes two.vdb two.obj box.obj --ior 1.5 --ior 1.3 --priority 0 --priority 1 --priority 2 \
+        --name a --name b --name c --resolution 40
+    has_grids two.vdb ior ior.a ior.b ior.c sdf.a sdf.b sdf.c
+    refuses 64 two.obj -o out.vdb --ior 1 --ior 2 --ior 3
+    says "given 3 times, expected once or once for each of the 2 objects in it"
+    refuses 64 two.obj box.obj -o out.vdb --ior 1 --ior 2 --ior 3 --ior 4
+    says "once for each of the 2 meshes or once for each of the 3 objects in them"
+    sed '$d' two.obj >lid.obj
+    refuses 65 lid.obj -o out.vdb $small
+    says "lid.obj: 'far': bounds no volume: open"
+}
+
+# Thirteen boxes beside one another: one more than later stages take.
+test_many_objects() {
+    local k
+    for k in $(seq 0 12); do
+        echo "o box$k"
+        awk -v k="$k" '/^v/ {print "v", $2 + 2 * k, $3, $4}
+            /^f/ {for (i = 2; i <= 5; ++i) $i += 8 * k; print}' box.obj
+    done >many.obj
+    makes many.vdb many.obj --ior 1.5 --voxel-size 0.2
+    says "many.obj: 13 objects, all alike and more than 12, are taken as one"
+    has_grids many.vdb ior ior.many sdf
+    makes many.vdb many.obj --voxel-size 0.2 $(printf -- '--ior 1.%s ' $(seq 10 22))
+    says "warning: 13 objects: lightsim and render take 12"
+    lines_of many.vdb 13 'class: level set'
 }
 
 test_names() {
@@ -184,13 +271,15 @@ test_names() {
 test_thin_walls() {
     sed 's/^v 1/v 0.01/' box.obj >thin.obj
     makes thin.vdb thin.obj $small --stats thin.json
-    says "warning: 'thin' has a wall of 0.01 units, 0.0467 voxels, at (0.005, "
-    says "--resolution 606 would"
-    grep -q '"thinnest_wall_voxels": 0.0466' thin.json || fail "not in the statistics"
+    says "warning: 'thin' has a wall of 0.01 units, 0.05 voxels, at (0.005, "
+    says "--resolution 1506 would"
+    grep -q '"thinnest_wall_voxels": 0.0[45]' thin.json || fail "not in the statistics"
     refuses 74 thin.obj $small -o /dev/full
     makes thin.vdb thin.obj --ior 1.5 --voxel-size 0.1
-    says "--voxel-size 0.005 would"
-    makes thin.vdb thin.obj --ior 1.5 --voxel-size 0.005 --padding 4 --quiet
+    says "--voxel-size 0.002 would"
+    makes thin.vdb box.obj --ior 1.5 --resolution 20 --padding 3
+    says "'box' has a wall of 1 units, 4.67 voxels, .* may be 0.057° off; .* --resolution 21 would"
+    makes thin.vdb box.obj --ior 1.5 --resolution 21 --padding 3
     is_silent
     makes thin.vdb thin.obj $small --boundary blurred
     grep -q wall stderr && fail "speaks of walls, blurred"
@@ -232,8 +321,22 @@ f 2 3 7 6
 f 3 4 8 7
 f 4 1 5 8
 END
+sed 's/^v 0/v 5/;s/^v 1/v 6/' box.obj >far.obj
+awk '/^f/ {for (i = 2; i <= NF; ++i) $i += 8} {print}' far.obj >behind.obj
+{ echo 'o near,a,' && cat box.obj && echo 'o far' && cat behind.obj; } >two.obj
 sed 's/^f 5 6 7 8$//' box.obj >open.obj
 sed 's/^f \(.\) \(.\) \(.\) \(.\)/f \4 \3 \2 \1/' box.obj >inverted.obj
 echo 'this is no mesh' >garbage.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n' >sheet.obj
+# Sides with corners of their own, rounded to six digits, or pulled apart by a hundredth.
+soup() {
+    awk -v apart="$1" '/^v/ {for (k = 2; k < 5; ++k) x[n + 0, k] = $k; ++n}
+        /^f/ {for (i = 2; i <= 5; ++i) {
+            printf "v"
+            for (k = 2; k < 5; ++k) printf " %.9g", x[$i - 1, k] + apart * (sides % 5 - 2)
+            print ""}
+            print "f -4 -3 -2 -1"; ++sides}' box.obj
+}
+soup 1e-7 >near.obj
+soup 0.02 >pulled.obj
 run_tests

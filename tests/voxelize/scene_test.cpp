@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "support/lattice.h"
-#include "voxelize/accept.h"
 #include "voxelize/voxelize.h"
 
 #include <gtest/gtest.h>
@@ -353,62 +352,47 @@ TEST(OwnValues, AreWrittenWhereTheyAreNotTakenForGranted) {
     EXPECT_EQ(make(params).result.volume.grids().size(), 4u); // those mixed by coverage
 }
 
+/// What is said of a plate of so many voxels.
+std::vector<std::string> saidOfWall(double voxels, bool sharp = true) {
+    Params params = unitVoxels({20, 20, 16}, {objectOf(box({2, 2, 4}, {18, 18, 4 + voxels}), 1.5)});
+    params.sharp = sharp;
+    return make(params).result.warnings;
+}
+
+TEST(ThinWalls, AreWarnedOfByTheErrorTheyMake) {
+    const std::vector<std::pair<double, std::string>> wanted = {
+        {0.5, "a sharp boundary loses it"},         {1.99, "a sharp boundary loses it"},
+        {2, "rays through it may be 8° off"},       {2.02, "rays through it may be 7.7° off"},
+        {3, "rays through it may be 1.4° off"},     {4, "rays through it may be 0.2° off"},
+        {4.99, "rays through it may be 0.031° off"}};
+    for (const auto& [voxels, words] : wanted) {
+        const std::vector<std::string> said = saidOfWall(voxels);
+        ASSERT_EQ(said.size(), 1u) << voxels;
+        EXPECT_NE(said[0].find(words + "; it needs 5 voxels"), std::string::npos) << said[0];
+        EXPECT_TRUE(saidOfWall(voxels, false).empty());
+    }
+    EXPECT_TRUE(saidOfWall(5).empty());
+}
+
 TEST(ThinWalls, AreWarnedOfWithWhatWouldHoldThem) {
-    Params params = unitVoxels({20, 20, 10}, {objectOf(box({2, 2, 4}, {18, 18, 5.25}), 1.5)});
+    Params params = unitVoxels({20, 20, 10}, {objectOf(box({2, 2, 4}, {18, 18, 6.5}), 1.5)});
     params.sharp = true;
     const Scene thin = make(params);
-    ASSERT_EQ(thin.result.warnings.size(), 1u);
-    EXPECT_NE(thin.result.warnings[0].find("'object1.5' has a wall of 1.25 units, 1.25 voxels"),
-              std::string::npos)
-        << thin.result.warnings[0];
-    EXPECT_NE(thin.result.warnings[0].find("--voxel-size 0.625"), std::string::npos);
-    EXPECT_NEAR(thin.stats.counter("thinnest_wall_voxels"), 1.25, 1e-6);
+    const std::string first = thin.result.warnings.at(0);
+    EXPECT_NE(first.find("'object1.5' has a wall of 2.5 units, 2.5 voxels"), std::string::npos);
+    EXPECT_NE(first.find("--voxel-size 0.5 would"), std::string::npos);
+    EXPECT_NEAR(thin.stats.counter("thinnest_wall_voxels"), 2.5, 1e-6);
+    params.voxelSize = 0.5;
+    EXPECT_TRUE(make(params).result.warnings.empty());
     params.bounds = {};
     params.voxelSize = {};
-    params.resolution = 30; // voxels of 16 / 14 units; 16 / 0.625 are 26, and 16 around them
-    EXPECT_NE(make(params).result.warnings[0].find("--resolution 42 would"), std::string::npos);
-    params.resolution = 42;
+    params.resolution = 30; // voxels of 16 / 14 units; 16 / 0.5 are 32, or 33 by rounding's margin
+    const std::string said = make(params).result.warnings.at(0);
+    EXPECT_NE(said.find("--resolution 48 would"), std::string::npos) << said;
+    params.resolution = 48;
     EXPECT_TRUE(make(params).result.warnings.empty());
-}
-
-TEST(Accept, RefusesWhatBoundsNoVolumeUnlessRepaired) {
-    mesh::TriangleMesh open = box(dvec3(0), dvec3(1));
-    open.triangles.pop_back();
-    mesh::TriangleMesh turned = box(dvec3(0), dvec3(1));
-    std::swap(turned.triangles[3].x, turned.triangles[3].y);
-    for (const auto& [mesh, fault] :
-         {std::pair{open, "3 edges with a single face, around 1 hole"},
-          {mesh::turnedInsideOut(box(dvec3(0), dvec3(1))), "inside out"},
-          {turned, "disagree about which side is out"}}) {
-        mesh::TriangleMesh copy = mesh;
-        try {
-            acceptMesh(copy, "box.off", false);
-            ADD_FAILURE() << "accepted: " << fault;
-        } catch (const DataError& error) {
-            const std::string said = error.what();
-            EXPECT_EQ(said.find("box.off: "), 0u);
-            EXPECT_NE(said.find(fault), std::string::npos) << said;
-            EXPECT_NE(said.find("--repair"), std::string::npos) << said;
-        }
-        const Acceptance accepted = acceptMesh(copy, "box.off", true);
-        EXPECT_FALSE(accepted.repairs.empty());
-        EXPECT_NEAR(mesh::signedVolume(copy), 1, 1e-12);
-    }
-}
-
-TEST(Accept, RefusesWhatStaysFlat) {
-    mesh::TriangleMesh sheet;
-    sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
-    EXPECT_THROW(acceptMesh(sheet, "sheet.off", true), DataError);
-}
-
-TEST(Accept, SaysThatTrianglesCross) {
-    mesh::TriangleMesh both =
-        mesh::joined(box(dvec3(0), dvec3(2)), box({1, 0.5, 0.5}, {3, 1.5, 1.5}));
-    EXPECT_TRUE(acceptMesh(both, "boxes.off", false).crosses);
-    mesh::TriangleMesh one = box(dvec3(0), dvec3(2));
-    EXPECT_FALSE(acceptMesh(one, "box.off", false).crosses);
+    params.resolution = 47;
+    EXPECT_FALSE(make(params).result.warnings.empty());
 }
 
 } // namespace

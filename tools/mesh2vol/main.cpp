@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/session.h"
 #include "mesh/read.h"
-#include "mesh2vol/options.h"
+#include "mesh2vol/objects.h"
 #include "voxelize/accept.h"
 #include "voxelize/voxelize.h"
 
@@ -10,32 +10,66 @@ using namespace eikonal;
 
 namespace {
 
-/// Reads and checks every mesh; gives "name: text" lines for --explain.
-std::vector<std::pair<std::string, std::string>>
-readMeshes(tool::Session& session, const mesh2vol::Options& o, voxelize::Params& params) {
-    std::vector<std::pair<std::string, std::string>> facts;
-    for (size_t k = 0; k < o.meshes.size(); ++k) {
-        const std::string& path = o.meshes[k];
-        voxelize::Object& object = params.objects[k];
-        session.pass("read", [&] { object.mesh = mesh::readMesh(path); });
-        voxelize::Acceptance found;
-        session.pass("check", [&] { found = voxelize::acceptMesh(object.mesh, path, o.repair); });
-        facts.emplace_back("mesh " + path, join(found.findings, "; "));
-        if (!found.repairs.empty())
-            facts.emplace_back("repairs to " + path, join(found.repairs, "; "));
-        session.say(path + ": " + found.findings.front());
-        for (size_t i = 1; i < found.findings.size(); ++i)
-            session.note(path + ": " + found.findings[i]);
-        for (const std::string& repair : found.repairs) session.note(path + ": " + repair);
-        if (found.crosses)
-            session.warn(path + ": triangles cross each other: what lies between them counts as "
-                                "inside where the surface winds around it");
+using Facts = std::vector<std::pair<std::string, std::string>>; ///< "name: text" for --explain
+
+struct Objects {
+    std::vector<mesh2vol::Source> sources;
+    std::vector<mesh::TriangleMesh> meshes;
+    Facts facts;
+};
+
+/// Checks a mesh, repairs it where asked for, and tells what was found.
+void accept(tool::Session& session, const std::string& title, bool repair, mesh::TriangleMesh& mesh,
+            Facts& facts) {
+    voxelize::Acceptance found;
+    session.pass("check", [&] { found = voxelize::acceptMesh(mesh, title, repair); });
+    facts.emplace_back("mesh " + title, join(found.findings, "; "));
+    if (!found.repairs.empty())
+        facts.emplace_back("repairs to " + title, join(found.repairs, "; "));
+    session.say(title + ": " + found.findings.front());
+    for (size_t i = 1; i < found.findings.size(); ++i)
+        session.note(title + ": " + found.findings[i]);
+    for (const std::string& done : found.repairs) session.note(title + ": " + done);
+    for (const std::string& warning : found.warnings) session.warn(title + ": " + warning);
+}
+
+/// More objects of a file than later stages take are one where no option tells them apart: light
+/// is the same.
+void joinAlike(tool::Session& session, const mesh2vol::Options& o, const std::string& title,
+               std::vector<mesh::Part>& parts) {
+    const auto most = static_cast<size_t>(voxelize::mostSharpObjects());
+    if (parts.size() <= most || mesh2vol::tellsObjectsApart(o)) return;
+    session.note(title + ": " + std::to_string(parts.size()) +
+                 " objects, all alike and more than " + std::to_string(most) +
+                 ", are taken as one");
+    mesh::Part all;
+    for (const mesh::Part& part : parts) mesh::append(all.mesh, part.mesh);
+    parts.assign(1, std::move(all));
+}
+
+/// Reads and checks every object of every mesh.
+Objects readObjects(tool::Session& session, const mesh2vol::Options& o) {
+    Objects objects;
+    for (size_t file = 0; file < o.meshes.size(); ++file) {
+        const std::string& path = o.meshes[file];
+        std::vector<mesh::Part> parts;
+        session.pass("read", [&] { parts = mesh::readParts(path); });
+        for (mesh::Part& part : parts) {
+            std::string title = mesh::meshTitle(path);
+            if (!part.name.empty()) title += ": '" + part.name + "'";
+            accept(session, title, o.repair, part.mesh, objects.facts);
+        }
+        joinAlike(session, o, mesh::meshTitle(path), parts);
+        for (mesh::Part& part : parts) {
+            objects.sources.push_back({file, part.name});
+            objects.meshes.push_back(std::move(part.mesh));
+        }
     }
-    return facts;
+    return objects;
 }
 
 void explain(const tool::Session& session, const voxelize::Params& params,
-             const voxelize::Plan& plan, std::vector<std::pair<std::string, std::string>> facts) {
+             const voxelize::Plan& plan, Facts facts) {
     const voxelize::Lattice& lattice = plan.lattice;
     const auto three = [](const auto& v) {
         return toText(static_cast<double>(v.x)) + ", " + toText(static_cast<double>(v.y)) + ", " +
@@ -52,17 +86,24 @@ void explain(const tool::Session& session, const voxelize::Params& params,
 }
 
 void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
-    voxelize::Params params = mesh2vol::paramsOf(o);
+    mesh2vol::checkBeforeReading(o);
     if (session.outputPaths().size() > 1)
         throw UsageError("-o: given " + std::to_string(session.outputPaths().size()) +
                          " times, expected once");
     session.guardInputs(o.meshes);
     if (!session.explains()) session.outputs(); // a bad path shows before the work
-    const auto facts = readMeshes(session, o, params);
+    Objects objects = readObjects(session, o);
+    voxelize::Params params = mesh2vol::paramsOf(o, objects.sources);
+    for (size_t k = 0; k < params.objects.size(); ++k)
+        params.objects[k].mesh = std::move(objects.meshes[k]);
+    if (params.sharp && params.objects.size() > static_cast<size_t>(voxelize::mostSharpObjects()))
+        session.warn(std::to_string(params.objects.size()) + " objects: lightsim and render take " +
+                     std::to_string(voxelize::mostSharpObjects()) +
+                     " with sharp boundaries, any number with --boundary blurred");
     voxelize::Plan plan;
     session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {
-        explain(session, params, plan, facts);
+        explain(session, params, plan, objects.facts);
         return;
     }
     const voxelize::Result result =

@@ -8,12 +8,11 @@
 #include "voxelize/params.h"
 
 #include <deque>
-#include <filesystem>
 #include <limits>
 
 namespace eikonal::mesh2vol {
 
-/// An option of an object as given: once for all meshes or once for each.
+/// An option of an object as given: once for all or several times.
 struct PerMesh {
     std::string option;
     std::vector<std::string> given{};
@@ -41,7 +40,8 @@ inline CLI::Option* addPerMesh(CLI::App& app, Options& o, const std::string& opt
     return app.add_option(option, o.perMesh.back().given, help)
         ->type_name(type)
         ->allow_extra_args(false)
-        ->group("Objects (given once for all meshes, or once for each in their order)");
+        ->group("Objects (given once for all, once for each mesh, or once for each object in them, "
+                "in their order)");
 }
 
 inline void addObjectOptions(CLI::App& app, Options& o) {
@@ -57,8 +57,10 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
                "tint of the mirror reflection, or one number (default 1)");
     addPerMesh(app, o, "--priority", "INT",
                "the higher wins where objects overlap, among equals the later (default 0)");
-    addPerMesh(app, o, "--name", "NAME",
-               "for messages and grids: sdf.NAME, ior.NAME (default: the file's)");
+    addPerMesh(
+        app, o, "--name", "NAME",
+        "for messages and grids: sdf.NAME, ior.NAME (default: the file's; FILE.NAME where OBJ "
+        "names several objects)");
 }
 
 inline void addMediumOptions(CLI::App& app, voxelize::Material& medium) {
@@ -89,7 +91,7 @@ inline void addMediumOptions(CLI::App& app, voxelize::Material& medium) {
 
 inline void addOptions(CLI::App& app, Options& o) {
     voxelize::Params& p = o.params;
-    app.add_option("mesh", o.meshes, "closed surfaces: OBJ, PLY, OFF or STL")
+    app.add_option("mesh", o.meshes, "closed surfaces: OBJ, PLY, OFF or STL; - is standard input")
         ->type_name("MESH")
         ->required();
     addObjectOptions(app, o);
@@ -120,7 +122,9 @@ inline void addOptions(CLI::App& app, Options& o) {
         ->type_name("S")
         ->capture_default_str()
         ->group(group);
-    app.add_flag("--repair", o.repair, "close holes and turn faces outward where needed")
+    app.add_flag("--repair", o.repair,
+                 "where needed join points within 1e-5 of the mesh's diagonal, close holes and "
+                 "turn faces outward; a mesh that this would make another object is refused")
         ->group(group);
     app.add_option("--boundary", o.boundary,
                    "sharp: also write each object's signed distance (sdf, or sdf.NAME of several) "
@@ -135,71 +139,9 @@ inline void addOptions(CLI::App& app, Options& o) {
         ->group(group);
 }
 
-/// The value of an object's option, or `fallback` where it was not given.
-class ObjectValues {
-public:
-    ObjectValues(const Options& options, size_t k) : mOptions(options), mIndex(k) {}
-
-    std::string text(const std::string& option, const std::string& fallback) const {
-        const std::vector<std::string>& given = mOptions.given(option);
-        if (given.empty()) return fallback;
-        return voxelize::forObject(option, given, mIndex, mOptions.meshes.size());
-    }
-    void number(const std::string& option, double& value) const {
-        const std::string found = text(option, toText(value));
-        const auto number = parseNumber(found);
-        if (!number) throw UsageError(option + ": found '" + found + "', expected a number");
-        value = *number;
-    }
-    void rgb(const std::string& option, glm::dvec3& value) const {
-        if (!mOptions.given(option).empty())
-            value = tool::parseVector(option, text(option, ""), true);
-    }
-
-private:
-    const Options& mOptions;
-    size_t mIndex;
-};
-
-inline int priorityOf(const ObjectValues& values) {
-    double number = 0;
-    values.number("--priority", number);
-    const auto priority = static_cast<int>(std::clamp(number, -1e9, 1e9));
-    if (priority != number)
-        throw UsageError("--priority: found " + toText(number) + ", expected a whole number");
-    return priority;
-}
-
-/// The file's name without its ending; what no object may be called by becomes "_".
-inline std::string nameFor(const std::string& path) {
-    std::string name = std::filesystem::path(path).stem().string();
-    for (char& c : name)
-        if (!voxelize::isObjectName({c})) c = '_';
-    return name;
-}
-
-inline voxelize::Object objectAt(const Options& o, size_t k) {
-    const ObjectValues values(o, k);
-    voxelize::Object object;
-    voxelize::Material& m = object.material;
-    values.number("--ior", m.ior);
-    values.number("--dispersion", m.dispersion);
-    values.rgb("--absorption", m.absorption);
-    values.rgb("--scattering", m.scattering);
-    values.number("--anisotropy", m.anisotropy);
-    values.rgb("--emission", m.emission);
-    values.number("--opacity", m.opacity);
-    values.rgb("--albedo", m.albedo);
-    values.rgb("--reflectance", m.reflectance);
-    object.priority = priorityOf(values);
-    object.name = values.text("--name", nameFor(o.meshes[k]));
-    return object;
-}
-
-/// The scene's parameters, all but the meshes' triangles, checked. Throws UsageError.
-inline voxelize::Params paramsOf(const Options& o) {
+/// The scene's parameters, all but the objects. Throws UsageError.
+inline voxelize::Params sceneOf(const Options& o) {
     voxelize::Params params = o.params;
-    for (size_t k = 0; k < o.meshes.size(); ++k) params.objects.push_back(objectAt(o, k));
     if (o.boundary != "sharp" && o.boundary != "blurred")
         throw UsageError("--boundary: found '" + o.boundary + "', expected sharp or blurred");
     params.sharp = o.boundary == "sharp";
@@ -211,7 +153,6 @@ inline voxelize::Params paramsOf(const Options& o) {
                              "', expected six numbers X0,Y0,Z0,X1,Y1,Z1");
         params.bounds = mesh::Box{{(*b)[0], (*b)[1], (*b)[2]}, {(*b)[3], (*b)[4], (*b)[5]}};
     }
-    params.check();
     return params;
 }
 

@@ -1,0 +1,62 @@
+// Mesh files of every format, and what is made of them: the first byte chooses the format.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/error.h"
+#include "mesh/check.h"
+#include "mesh/read.h"
+#include "mesh/repair.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+using namespace eikonal;
+
+/// A folder for each process, since libFuzzer may run several side by side.
+struct Folder {
+    Folder() {
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "mesh_fuzz.XXXXXX").string();
+        path = ::mkdtemp(pattern.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path path;
+};
+
+std::string fileWith(const std::string& ending, const std::uint8_t* bytes, std::size_t size) {
+    static const Folder folder;
+    const std::filesystem::path path = folder.path / ("a" + ending);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+    return path.string();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    constexpr std::array<const char*, 5> kEndings = {".obj", ".off", ".ply", ".stl", ""};
+    if (size == 0) return 0;
+    const std::string path = fileWith(kEndings[bytes[0] % kEndings.size()], bytes + 1, size - 1);
+    try {
+        for (const mesh::Part& part : mesh::readParts(path)) {
+            // Searches in what is large take long, and find nothing that the small does not hold.
+            if (part.mesh.triangles.size() > 200) continue;
+            const mesh::MeshReport report = mesh::checkMesh(part.mesh);
+            const mesh::RepairResult repaired = mesh::repairMesh(part.mesh);
+            if (report.boundsVolume() && report.duplicateFaces + report.degenerateFaces == 0 &&
+                !repaired.actions.empty())
+                std::abort(); // what is sound stays as it is
+            static_cast<void>(mesh::checkMesh(repaired.mesh));
+        }
+    } catch (const Error&) {
+        return 0;
+    }
+    return 0;
+}

@@ -1,0 +1,133 @@
+// The objects that mesh2vol's command line describes, as many as its meshes turn out to hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/input_file.h"
+#include "mesh2vol/options.h"
+
+#include <filesystem>
+
+namespace eikonal::mesh2vol {
+
+/// An object before it has a mesh: where it comes from.
+struct Source {
+    size_t file = 0;       ///< of Options::meshes
+    std::string part = {}; ///< what it is called there; empty: the file is one object
+};
+
+/// The value of an object's option, or `fallback` where it was not given.
+class ObjectValues {
+public:
+    ObjectValues(const Options& options, const voxelize::Place& place)
+        : mOptions(options), mPlace(place) {}
+
+    std::string text(const std::string& option, const std::string& fallback) const {
+        const std::vector<std::string>& given = mOptions.given(option);
+        return given.empty() ? fallback : voxelize::forObject(option, given, mPlace);
+    }
+    void number(const std::string& option, double& value) const {
+        const std::string found = text(option, toText(value));
+        const auto number = parseNumber(found);
+        if (!number) throw UsageError(option + ": found '" + found + "', expected a number");
+        value = *number;
+    }
+    void rgb(const std::string& option, glm::dvec3& value) const {
+        if (!mOptions.given(option).empty())
+            value = tool::parseVector(option, text(option, ""), true);
+    }
+
+private:
+    const Options& mOptions;
+    voxelize::Place mPlace;
+};
+
+inline int priorityOf(const ObjectValues& values) {
+    double number = 0;
+    values.number("--priority", number);
+    const auto priority = static_cast<int>(std::clamp(number, -1e9, 1e9));
+    if (priority != number)
+        throw UsageError("--priority: found " + toText(number) + ", expected a whole number");
+    return priority;
+}
+
+inline voxelize::Object objectOf(const ObjectValues& values) {
+    voxelize::Object object;
+    voxelize::Material& m = object.material;
+    values.number("--ior", m.ior);
+    values.number("--dispersion", m.dispersion);
+    values.rgb("--absorption", m.absorption);
+    values.rgb("--scattering", m.scattering);
+    values.number("--anisotropy", m.anisotropy);
+    values.rgb("--emission", m.emission);
+    values.number("--opacity", m.opacity);
+    values.rgb("--albedo", m.albedo);
+    values.rgb("--reflectance", m.reflectance);
+    object.priority = priorityOf(values);
+    return object;
+}
+
+/// What no object may be called by becomes "_".
+inline std::string madeValid(std::string name) {
+    for (char& c : name)
+        if (!voxelize::isObjectName({c})) c = '_';
+    return name;
+}
+
+/// The file's name without its ending. Streams have names that change from run to run: they are
+/// "mesh", with their place among several meshes.
+inline std::string nameOfFile(const Options& o, size_t file) {
+    const std::string& path = o.meshes[file];
+    if (!isStream(path)) return madeValid(std::filesystem::path(path).stem().string());
+    return o.meshes.size() > 1 ? "mesh" + std::to_string(file + 1) : "mesh";
+}
+
+/// The name given to this object, or to its file or that file's own; then the part behind it.
+inline std::string nameOf(const Options& o, const Source& source, const voxelize::Place& place) {
+    const std::vector<std::string>& given = o.given("--name");
+    if (!given.empty() && given.size() == place.objects) return given[place.object];
+    const std::string name =
+        given.empty() ? nameOfFile(o, source.file) : voxelize::forObject("--name", given, place);
+    return source.part.empty() ? name : name + "." + madeValid(source.part);
+}
+
+/// Whether an option was given for each object rather than for all, or for each mesh.
+inline bool tellsObjectsApart(const Options& o) {
+    return std::any_of(o.perMesh.begin(), o.perMesh.end(), [&](const PerMesh& option) {
+        return option.given.size() > std::max<size_t>(1, o.meshes.size());
+    });
+}
+
+/// The scene's parameters, all but the objects' triangles, checked. Throws UsageError.
+inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& sources) {
+    voxelize::Params params = sceneOf(o);
+    for (size_t k = 0; k < sources.size(); ++k) {
+        const voxelize::Place place{k, sources.size(), sources[k].file, o.meshes.size()};
+        params.objects.push_back(objectOf({o, place}));
+        params.objects.back().name = nameOf(o, sources[k], place);
+    }
+    params.check();
+    return params;
+}
+
+/// Throws UsageError of whatever is wrong however many objects the meshes hold.
+inline void checkBeforeReading(const Options& o) {
+    for (const std::string& path : o.meshes)
+        if (parseNumbers(path) && !std::filesystem::exists(path))
+            throw UsageError(path + ": is a number, not a mesh: an option takes one value, and is "
+                                    "given once for all or again for each (--ior 1.5 --ior 1.33)");
+    Options each = o;
+    size_t most = o.meshes.size();
+    for (const PerMesh& option : o.perMesh) most = std::max(most, option.given.size());
+    for (PerMesh& option : each.perMesh)
+        if (!option.given.empty()) option.given.resize(most, std::string(option.given.back()));
+    voxelize::Params params = sceneOf(each);
+    params.sharp = false; // names are looked at when all are known
+    for (size_t k = 0; k < most; ++k) {
+        params.objects.push_back(objectOf({each, {k, most, k, most}}));
+        params.objects.back().name =
+            most == o.meshes.size() ? nameOfFile(o, k) : "object " + std::to_string(k + 1);
+    }
+    params.check();
+}
+
+} // namespace eikonal::mesh2vol
