@@ -108,20 +108,27 @@ TEST_F(VolumeTest, AVolumeBeyondAllMemoryIsRefused) {
                 [&] { volume.dense("ior", volume.domain()); });
 }
 
-TEST_F(VolumeTest, AGridOnAnotherTransformIsRefused) {
+TEST_F(VolumeTest, AGridOnAnotherTransformIsRefusedWhereItIsAskedFor) {
     const auto refused = [this](const std::function<void(VdbGrid&)>& place,
                                 const std::vector<std::string>& words) {
-        VdbGrid other = floats("other");
+        VdbGrid other = floats("opacity", 0.5f, 0);
         place(other);
-        expectError(ExitStatus::data, words, [&] {
-            Volume::open(vdb("a.vdb", {floats("ior"), other}));
-        });
+        const Volume volume = Volume::open(vdb("a.vdb", {other, floats("ior")}));
+        EXPECT_EQ(volume.domain(), (IndexBox{glm::ivec3(0), glm::ivec3(7)}));
+        expectError(ExitStatus::data, words, [&] { volume.has("opacity"); });
+        expectError(ExitStatus::data, words, [&] { volume.dense("opacity", volume.domain()); });
     };
-    refused([](VdbGrid& grid) { grid.translate({0, 0.01, 0}); }, {"a.vdb", "'other'", "'ior'"});
+    refused(
+        [](VdbGrid& grid) {
+            grid.translate({0, 0.01, 0});
+            grid.set({100, 0, 0}, 0.5);
+        },
+        {"a.vdb", "'opacity'", "'ior'", "another transform"});
     refused([](VdbGrid& grid) { grid.setVoxelSize(1.001); }, {"transform"});
-    VdbGrid same = floats("other");
+    refused([](VdbGrid& grid) { grid.preScale({1, 1, 2}); }, {"'opacity'", "expected cubes"});
+    VdbGrid same = floats("opacity", 0.5f, 0);
     same.translate({0, 1e-9, 0}); // what a writer in float would leave
-    EXPECT_NO_THROW(Volume::open(vdb("b.vdb", {floats("ior"), same})));
+    EXPECT_TRUE(Volume::open(vdb("b.vdb", {floats("ior"), same})).has("opacity"));
 }
 
 TEST_F(VolumeTest, VoxelsThatAreNoCubesAreRefused) {
@@ -140,15 +147,16 @@ TEST_F(VolumeTest, VoxelsThatAreNoCubesAreRefused) {
 }
 
 TEST_F(VolumeTest, AGridOfTheWrongTypeIsRefused) {
-    vdb("a.vdb", {vectors("ior", {1, 1, 1}), floats("absorption"),
-                  block("opacity", VdbGrid::Type::float64, glm::dvec3(1), glm::dvec3(0)),
+    vdb("a.vdb", {vectors("ior", {1, 1, 1}), floats("other"),
+                  block("opacity", VdbGrid::Type::int32, glm::dvec3(1), glm::dvec3(0)),
+                  block("absorption", VdbGrid::Type::boolean, glm::dvec3(1), glm::dvec3(0)),
                   block("counts", VdbGrid::Type::int32, glm::dvec3(1), glm::dvec3(0))});
     const Volume volume = Volume::open(at("a.vdb"));
     expectError(ExitStatus::data, {"a.vdb: grid 'ior'", "vec3s", "expected float"},
                 [&] { volume.has("ior"); });
-    expectError(ExitStatus::data, {"'absorption'", "float", "expected vec3s"},
+    expectError(ExitStatus::data, {"'absorption'", "bool", "expected vec3s"},
                 [&] { volume.dense("absorption", volume.domain()); });
-    expectError(ExitStatus::data, {"'opacity'", "double", "expected float"},
+    expectError(ExitStatus::data, {"'opacity'", "int32", "expected float"},
                 [&] { volume.background("opacity", glm::vec3(0)); });
     expectError(ExitStatus::data, {"'counts'", "int32", "expected float or vec3s"},
                 [&] { volume.dense("counts", volume.domain()); });
