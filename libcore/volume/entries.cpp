@@ -17,12 +17,6 @@ namespace {
 constexpr double kLongestEdge = 1 << 20;   // of a domain [voxel]
 constexpr double kFarthestIndex = 1 << 30; // of a domain's voxels; sums of two still are ints
 
-/// Numbers in a tree of OpenVDB's usual shape.
-bool isReadable(const Entry& entry) {
-    return typeOf(entry.valueType) != GridType::other && entry.record &&
-           entry.record->type == "Tree_" + entry.valueType + "_5_4_3";
-}
-
 } // namespace
 
 void initializeOpenVdb() {
@@ -38,9 +32,9 @@ openvdb::CoordBBox toBox(const IndexBox& box) {
     return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
 }
 
-GridType typeOf(const std::string& valueType) {
-    if (valueType == "float" || valueType == "double") return GridType::scalar;
-    if (valueType == "vec3s" || valueType == "vec3d") return GridType::vector;
+GridType typeOf(const std::string& treeType) {
+    if (treeType == "Tree_float_5_4_3" || treeType == "Tree_double_5_4_3") return GridType::scalar;
+    if (treeType == "Tree_vec3s_5_4_3" || treeType == "Tree_vec3d_5_4_3") return GridType::vector;
     return GridType::other;
 }
 
@@ -86,8 +80,13 @@ void Volume::Impl::readEntry(Entry& entry) {
 
 Entry& Volume::Impl::numbers(const std::string& grid) {
     Entry& entry = *find(grid);
-    if (typeOf(entry.valueType) == GridType::other || (!entry.grid && !isReadable(entry)))
+    if (entry.type == GridType::other)
         throw DataError(where(grid) + " holds " + entry.valueType + ", expected float or vec3s");
+    if (!entry.grid) {
+        readHead(entry);
+        entry.elsewhere = elsewhereOf(entry);
+    }
+    if (!entry.elsewhere.empty()) throw DataError(entry.elsewhere);
     readEntry(entry);
     return entry;
 }
@@ -114,13 +113,16 @@ void Volume::Impl::readIndex() {
     for (const VdbRecord& record : file->index().grids) {
         Entry& entry = entries.emplace_back();
         entry.name = record.name();
+        entry.type = typeOf(record.type);
         entry.valueType = record.valueType();
+        if (entry.type == GridType::other &&
+            typeOf("Tree_" + entry.valueType + "_5_4_3") != GridType::other)
+            entry.valueType = record.type; // it is the tree that is unusual
         entry.half = record.half;
         entry.record = &record;
     }
 }
 
-/// Whether a stage may look at the grid: the contract has its name, or an option maps it.
 bool Volume::Impl::isKnown(const Entry& entry) const {
     const std::string contract = contractName(entry.name);
     return ruleFor(contract) != nullptr || names.count(contract) > 0;
@@ -138,18 +140,19 @@ void Volume::Impl::readHead(Entry& entry) {
 /// Of what no stage can use for its type nothing is read.
 void Volume::Impl::readHeads(bool knownOnly) {
     for (Entry& entry : entries)
-        if (!entry.grid && isReadable(entry) && (!knownOnly || isKnown(entry))) readHead(entry);
+        if (!entry.grid && entry.type != GridType::other && (!knownOnly || isKnown(entry)))
+            readHead(entry);
 }
 
 /// Why a grid is not one of the scene, or "".
-std::string Volume::Impl::elsewhereOf(const Entry& entry, const Entry& first) const {
+std::string Volume::Impl::elsewhereOf(const Entry& entry) const {
     const std::string name = path + ": grid '" + entry.name + "'";
     try {
         if (nearlyEqual(frame, toFrame(entry.grid->transform(), name))) return "";
     } catch (const DataError& error) {
         return error.what();
     }
-    return name + " is on another transform than grid '" + first.name + "', expected one for all";
+    return name + " is on another transform than grid '" + mFrameOf + "', expected one for all";
 }
 
 /// The scene lies where its index lies, else where the first of its grids does. What lies elsewhere
@@ -163,10 +166,11 @@ void Volume::Impl::findFrame() {
             throw DataError(path + ": holds no grid of a scene (found: " + foundNames() + ")");
         first = &*known;
     }
+    mFrameOf = first->name;
     frame = toFrame(first->grid->transform(), path + ": grid '" + first->name + "'");
     for (Entry& entry : entries) {
         if (!entry.grid) continue;
-        entry.elsewhere = elsewhereOf(entry, *first);
+        entry.elsewhere = elsewhereOf(entry);
         if (entry.elsewhere.empty()) domain.include(entry.active);
     }
 }
@@ -222,7 +226,9 @@ void Volume::Impl::place(const openvdb::GridBase::Ptr& grid) {
     grid->setName(entry->name);
     const IndexBox active =
         box.empty() ? IndexBox{} : IndexBox{fromCoord(box.min()), fromCoord(box.max())};
-    *entry = {entry->name, grid->valueType(), false, active, grid, true, nullptr, ""};
+    *entry = {
+        entry->name, grid->valueType(), typeOf(grid->type()), false, active, grid, true, nullptr,
+        ""};
     domain.include(active);
 }
 

@@ -17,11 +17,12 @@ void initializeOpenVdb();
 glm::ivec3 fromCoord(const openvdb::Coord& c);
 openvdb::CoordBBox toBox(const IndexBox& box);
 
-/// Floats and doubles are scalars, their triples vectors.
-GridType typeOf(const std::string& valueType);
+/// Floats and doubles are scalars, their triples vectors; in a tree of OpenVDB's usual shape.
+GridType typeOf(const std::string& treeType);
 
 struct Entry {
     std::string name, valueType;
+    GridType type = GridType::other;
     bool half = false;                 ///< stored in 16 bits
     IndexBox active;                   ///< of a grid of the scene
     openvdb::GridBase::Ptr grid;       ///< null where a grid is only copied
@@ -46,6 +47,9 @@ struct Volume::Impl {
     std::string foundNames() const;
     std::string where(const std::string& grid) const;
 
+    /// Whether a stage may look at the grid: the contract has its name, or an option maps it.
+    bool isKnown(const Entry& entry) const;
+
     void open();
     /// A grid of numbers that is there, its tree read.
     Entry& numbers(const std::string& grid);
@@ -57,13 +61,14 @@ struct Volume::Impl {
 private:
     void readEntry(Entry& entry);
     void readIndex();
-    bool isKnown(const Entry& entry) const;
     void readHeads(bool knownOnly);
     void readHead(Entry& entry);
     void findFrame();
     void checkNames() const;
     void checkDomain() const;
-    std::string elsewhereOf(const Entry& entry, const Entry& first) const;
+    std::string elsewhereOf(const Entry& entry) const;
+
+    std::string mFrameOf; // the grid that the frame is from
 };
 
 } // namespace eikonal::volume

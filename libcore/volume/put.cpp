@@ -70,7 +70,7 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
         throw InternalError("grid '" + grid + "': " + *wrong);
     const GridType type = values.components == 3 ? GridType::vector : GridType::scalar;
     const Entry* old = mImpl->find(grid);
-    if (old && typeOf(old->valueType) != type) old = nullptr;
+    if (old && old->type != type) old = nullptr;
     if (old) old = &mImpl->numbers(grid);
     GridBase::Ptr made;
     const glm::vec3 b = options.background;

@@ -121,6 +121,11 @@ std::vector<GridFacts> Volume::grids() const {
     return facts;
 }
 
+bool Volume::holdsScene() const {
+    return std::any_of(mImpl->entries.begin(), mImpl->entries.end(),
+                       [this](const Entry& entry) { return mImpl->isKnown(entry); });
+}
+
 std::vector<ObjectFacts> Volume::objects() const {
     std::map<std::string, const openvdb::GridBase*> levelSets; // by contract name
     for (const Entry& entry : mImpl->entries) {
@@ -139,7 +144,7 @@ bool Volume::has(const std::string& grid) const {
     const Entry* entry = mImpl->find(grid);
     if (!entry) return false;
     const GridRule* rule = ruleFor(grid);
-    const GridType type = typeOf(entry->valueType);
+    const GridType type = entry->type;
     const bool grey = rule && rule->type == GridType::vector && type == GridType::scalar;
     if (rule && type != rule->type && !grey)
         throw DataError(mImpl->where(grid) + " holds " + entry->valueType + ", expected " +
@@ -174,7 +179,7 @@ DenseGrid Volume::dense(const std::string& grid, const IndexBox& box) const {
     require(grid);
     Entry& entry = mImpl->numbers(grid);
     const GridRule* rule = ruleFor(grid);
-    const bool vector = typeOf(entry.valueType) == GridType::vector;
+    const bool vector = entry.type == GridType::vector;
     DenseGrid out;
     out.size = box.size();
     out.components = vector ? 3 : 1;

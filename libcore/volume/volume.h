@@ -103,6 +103,8 @@ public:
     /// voxel.
     const IndexBox& domain() const;
     std::vector<GridFacts> grids() const;
+    /// Whether any grid is of the contract, under its name or another by option.
+    bool holdsScene() const;
     /// The objects that level sets `sdf`, `sdf.NAME` bound, the one that wins where objects overlap
     /// first. Where metadata are missing the name is the suffix ("" of plain `sdf`), the priority
     /// 0, the order the level set's place among all by name. Throws DataError if two have one name.
