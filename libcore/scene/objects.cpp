@@ -71,9 +71,9 @@ Object readObject(const volume::Volume& volume, const std::string& sdf,
     const auto h = static_cast<float>(volume.frame().voxelSize);
     const std::string where = volume.path() + ": grid '" + sdf + "'";
     const float outside = volume.background(sdf, vec3(0)).x;
-    if (outside <= 0)
+    if (outside < 0)
         throw DataError(where + ": it is " + toText(outside) +
-                        " outside, expected above 0: it is inside out");
+                        " outside, expected 0 or above: it is inside out");
     Object object;
     for (float value : dense.values) object.band = std::max(object.band, std::abs(value) / h);
     refuseLostSigns(dense, object.band * h, box.min, where);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace eikonal::volume {
 
@@ -59,6 +60,13 @@ Entry* Volume::Impl::find(const std::string& grid) {
 std::string Volume::Impl::foundNames() const {
     std::vector<std::string> found;
     for (const Entry& entry : entries) found.push_back(entry.name);
+    std::sort(found.begin(), found.end());
+    constexpr size_t kMost = 20; // in a line
+    if (found.size() > kMost) {
+        const std::string more = "and " + std::to_string(found.size() - kMost) + " more";
+        found.resize(kMost);
+        found.push_back(more);
+    }
     return join(found, ", ");
 }
 
@@ -175,16 +183,15 @@ void Volume::Impl::findFrame() {
     }
 }
 
-void Volume::Impl::checkNames() const {
+void Volume::Impl::checkNames() {
     for (const auto& [contract, inFile] : names)
-        if (!const_cast<Impl*>(this)->find(contract))
-            throw DataError(path + ": no grid '" + inFile + "' (found: " + foundNames() +
-                            "), asked for as '" + contract + "'");
-    for (size_t i = 0; i < entries.size(); ++i)
-        for (size_t j = 0; j < i; ++j)
-            if (isKnown(entries[i]) && entries[i].name == entries[j].name)
-                throw DataError(path + ": grid '" + entries[i].name +
-                                "' is there twice, expected one");
+        if (!find(contract))
+            throw DataError(path + ": no grid '" + inFile + "' (found: " + foundNames() + ")" +
+                            (contract == inFile ? "" : ", asked for as '" + contract + "'"));
+    std::set<std::string> seen;
+    for (const Entry& entry : entries)
+        if (isKnown(entry) && !seen.insert(entry.name).second)
+            throw DataError(path + ": grid '" + entry.name + "' is there twice, expected one");
 }
 
 void Volume::Impl::checkDomain() const {

@@ -64,7 +64,7 @@ private:
     void readHeads(bool knownOnly);
     void readHead(Entry& entry);
     void findFrame();
-    void checkNames() const;
+    void checkNames();
     void checkDomain() const;
     std::string elsewhereOf(const Entry& entry) const;
 

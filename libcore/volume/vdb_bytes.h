@@ -53,7 +53,7 @@ public:
     /// A length in 32 bits and so many bytes.
     std::string text();
 
-    static constexpr std::uint64_t kMostAtOnce = 1 << 16;
+    static constexpr std::uint64_t kMostAtOnce = 1 << 14;
 
 private:
     void require(std::uint64_t count) const;

@@ -174,3 +174,30 @@ TEST_F(DamagedVolume, FilesDamagedAtRandomAreReadOrRefusedAtOnce) {
         EXPECT_LT(took.count(), 1.0) << "damage " << i << " of " << files[i % files.size()];
     }
 }
+
+TEST_F(DamagedVolume, ManyGridsTakeNoTime) {
+    // Each as large as its descriptor alone; their number is told as it is.
+    std::string bytes = mBytes->substr(0, mRecord.begin - 24);
+    const size_t descriptor = bytes.rfind("ior") - 4;
+    const std::string head = bytes.substr(0, descriptor - 4);
+    const std::int32_t count = 50000;
+    bytes = head + std::string(reinterpret_cast<const char*>(&count), 4);
+    for (std::int32_t i = 0; i < count; ++i) {
+        const auto text = [&](const std::string& t) {
+            const auto size = static_cast<std::uint32_t>(t.size());
+            bytes.append(reinterpret_cast<const char*>(&size), 4);
+            bytes += t;
+        };
+        text(std::to_string(i));
+        text("Tree_other_5_4_3");
+        text("");
+        const std::uint64_t end = bytes.size() + 24;
+        for (int k = 0; k < 3; ++k) bytes.append(reinterpret_cast<const char*>(&end), 8);
+    }
+    putBytes("a.vdb", bytes);
+    const auto begin = std::chrono::steady_clock::now();
+    expectError(ExitStatus::data, {"a.vdb", "no grid of a scene"},
+                [&] { Volume::open(at("a.vdb")); });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(took.count(), 1.0);
+}
