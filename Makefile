@@ -1,5 +1,5 @@
 # The front door: make, make demo, make test, make test-all, make bench, make accuracy, make effects,
-# make instructions, make docs, make format, make bundle.
+# make instructions, make fuzz, make docs, make format, make bundle.
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
@@ -10,7 +10,7 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := mesh2vol volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test test-all bench accuracy effects instructions \
+.PHONY: all packages configure demo animation test test-all bench accuracy effects instructions fuzz \
         docs golden format install bundle clean
 
 all: configure
@@ -46,6 +46,14 @@ test-all: packages
 	$(MAKE) all
 	cmake --build $(BUILD) -j $(JOBS) --target bench accuracy effects
 	cd $(BUILD) && $(CTEST)
+
+# Every fuzzing target of tests/fuzz for so many seconds, built with clang's sanitizers.
+SECONDS ?= 60
+fuzz: packages
+	cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
+	  -DEIKONAL_FUZZ=ON >/dev/null
+	cmake --build build-fuzz -j $(JOBS)
+	pipelines/fuzz.sh build-fuzz $(SECONDS) $(OUT)/fuzz
 
 # Ratios within one run, in a table and in out/bench.json.
 bench: packages

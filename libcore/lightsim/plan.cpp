@@ -107,8 +107,9 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.opaque = scene.anyOpaque();
     for (const Light& light : params.lights) plan.colouredLight |= !isGrey(light.rgb);
     listEffects(plan, params);
+    if (!volume.holdsScene()) plan.warnings = scene::idleWarnings(scene::Files(volume), {});
     if (plan.outputs == Output::none) return plan;
-    plan.warnings = scene::warningsOf(scene);
+    for (const std::string& warning : scene::warningsOf(scene)) plan.warnings.push_back(warning);
     if (!params.proxy.empty() && plan.attenuates)
         plan.warnings.push_back("--proxy skips the medium between the domain's faces and the "
                                 "proxy: it neither dims nor receives light there");

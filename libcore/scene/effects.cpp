@@ -79,20 +79,65 @@ Effect effectNamed(const std::vector<Effect>& effects, const std::string& name) 
     return {name, false, ""};
 }
 
+namespace {
+
+/// Of a level set that is no distance, or is cut off too near to be followed.
+void warnOf(const Object& object, const std::string& name, double voxelSize,
+            std::vector<std::string>& warnings) {
+    const float kSteep = 1.2f;  // noise and creases stay below
+    const float kNarrowest = 2; // splines look two voxels on
+    const double inVoxels = object.slope * voxelSize;
+    const auto rounded = [](double value) { return toText(std::round(value * 100) / 100); };
+    if (object.slope > kSteep)
+        warnings.push_back("the signed distance of '" + name + "' grows by " +
+                           rounded(object.slope) +
+                           " a voxel, expected 1: rays may leap over its boundary" +
+                           (std::abs(inVoxels - 1) < 0.2 ? "; it seems to be in voxels, expected "
+                                                           "units of the world"
+                                                         : ""));
+    if (object.band < kNarrowest)
+        warnings.push_back("the signed distance of '" + name + "' is known to " +
+                           rounded(object.band) +
+                           " voxels from its boundary, expected 3: it is rough there");
+}
+
+/// Of an index whose differences are lost in how it is stored. A half has 11 bits, a float 24.
+void warnOf(const Index& index, std::vector<std::string>& warnings) {
+    if (!index.varies()) return;
+    const double contrast = static_cast<double>(index.most) - index.least;
+    const double rounding = std::ldexp(1.0, std::ilogb(index.most) - (index.inHalf ? 11 : 24));
+    const double share = rounding / contrast;
+    if (share < 0.01) return;
+    warnings.push_back("the index varies by " + toText(contrast) + ", which " +
+                       (index.inHalf ? "the 16 bits" : "32-bit floats") +
+                       " that hold it round by " + toText(std::round(share * 1000) / 10) +
+                       " %: rays bend by as much too much or too little" +
+                       (index.inHalf ? "; store it in 32 bits" : ""));
+}
+
+} // namespace
+
 std::vector<std::string> warningsOf(const Scene& scene) {
     std::vector<std::string> warnings;
-    const float kSteep = 1.2f; // noise and creases stay below
     for (size_t k = 0; k < scene.objects.size(); ++k)
-        if (scene.objects[k].slope > kSteep)
-            warnings.push_back("the signed distance of '" + scene.regions[k].name + "' grows by " +
-                               toText(std::round(scene.objects[k].slope * 100) / 100) +
-                               " a voxel, expected 1: rays may leap over its boundary");
+        warnOf(scene.objects[k], scene.regions[k].name, scene.voxelSize(), warnings);
+    warnOf(scene.index, warnings);
     if (scene.index.jumpAtFaces > 1e-3f)
         warnings.push_back("the index jumps by " + toText(scene.index.jumpAtFaces) +
                            " at the domain's faces, which do not refract");
     if (scene.disperses)
         warnings.push_back("'dispersion' is not traced: all light goes as that of 587.6 nm does");
     return warnings;
+}
+
+std::vector<std::string> idleWarnings(const Files& files, const std::vector<Effect>& effects) {
+    for (const char* name :
+         {"refraction", "curved_rays", "absorption", "scattering", "emission", "opaque"})
+        if (effectNamed(effects, name).on) return {};
+    return {"nothing in " + files.path() +
+            " bends, dims or emits light (found: " + files.foundNames() +
+            "); other names are told by --grid-ior NAME, --grid-scattering NAME, --grid-sdf NAME "
+            "and their like"};
 }
 
 std::string sizeText(const Scene& scene) {

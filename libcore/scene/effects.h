@@ -18,6 +18,9 @@ Effect effectNamed(const std::vector<Effect>& effects, const std::string& name);
 /// What of the scene will not be traced as people may expect.
 std::vector<std::string> warningsOf(const Scene& scene);
 
+/// Where none of the effects is on: what was found, and how to name grids. Else nothing.
+std::vector<std::string> idleWarnings(const Files& files, const std::vector<Effect>& effects);
+
 /// "160 x 92 x 109" [voxel].
 std::string sizeText(const Scene& scene);
 

@@ -3,6 +3,7 @@
 #include "scene/files.h"
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <cmath>
 
@@ -37,6 +38,13 @@ const volume::Volume* Files::withGrid(const std::string& grid) const {
     for (const volume::Volume* volume : mAll)
         if (volume->has(grid)) return volume;
     return nullptr;
+}
+
+std::string Files::foundNames() const {
+    std::vector<std::string> names;
+    for (const volume::Volume* volume : mAll)
+        for (const volume::GridFacts& grid : volume->grids()) names.push_back(grid.name);
+    return join(names, ", ");
 }
 
 const volume::Volume* Files::withObjects() const {

@@ -28,6 +28,8 @@ public:
     const volume::Volume& first() const { return *mAll.front(); }
     /// The first file that has the grid, or null.
     const volume::Volume* withGrid(const std::string& grid) const;
+    /// The names of all grids, in words.
+    std::string foundNames() const;
     /// The first file that has signed distances, or null.
     const volume::Volume* withObjects() const;
 

@@ -79,6 +79,7 @@ Index blurredIndex(const volume::Volume& volume, const volume::IndexBox& box) {
     index.least = index.most = index.background;
     if (!volume.has("ior")) return index;
     index.grid = volume.dense("ior", box);
+    index.inHalf = volume.isStoredInHalf("ior");
     const auto& values = index.grid.values;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     index.least = *least;

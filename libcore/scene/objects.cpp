@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/objects.h"
 
+#include "base/error.h"
+#include "base/text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -35,14 +38,45 @@ float slopeOf(const Object& object) {
     return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 1.0f;
 }
 
+/// Two neighbours on either side of a boundary are no further apart than one voxel; where nearly
+/// the whole band lies between them, one has lost its sign. Throws DataError naming it.
+void refuseLostSigns(const volume::DenseGrid& dense, float band, const ivec3& origin,
+                     const std::string& where) {
+    const ivec3 size = dense.size, strides(1, size.x, size.x * size.y);
+    const float kMost = 1.5f * band;
+    size_t i = 0;
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x, ++i)
+                for (int axis = 0; axis < 3; ++axis) {
+                    const ivec3 at(x, y, z);
+                    if (at[axis] + 1 == size[axis]) continue;
+                    const float a = dense.values[i];
+                    const float b = dense.values[i + static_cast<size_t>(strides[axis])];
+                    if (std::abs(a - b) <= kMost) continue;
+                    const ivec3 voxel = at + origin;
+                    throw DataError(where + ": the signed distance jumps from " + toText(a) +
+                                    " to " + toText(b) + " beside voxel (" +
+                                    std::to_string(voxel.x) + ", " + std::to_string(voxel.y) +
+                                    ", " + std::to_string(voxel.z) +
+                                    "), expected a change of about a voxel: a sign is lost");
+                }
+}
+
 } // namespace
 
 Object readObject(const volume::Volume& volume, const std::string& sdf,
                   const volume::IndexBox& box) {
     const volume::DenseGrid dense = volume.dense(sdf, box);
     const auto h = static_cast<float>(volume.frame().voxelSize);
+    const std::string where = volume.path() + ": grid '" + sdf + "'";
+    const float outside = volume.background(sdf, vec3(0)).x;
+    if (outside < 0)
+        throw DataError(where + ": it is " + toText(outside) +
+                        " outside, expected 0 or above: it is inside out");
     Object object;
     for (float value : dense.values) object.band = std::max(object.band, std::abs(value) / h);
+    refuseLostSigns(dense, object.band * h, box.min, where);
     // Within the band and inside: nothing else is ever looked up.
     const ivec3 size = dense.size;
     const float within = std::min(object.band, kKept) * h;

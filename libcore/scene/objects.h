@@ -20,7 +20,8 @@ struct Object {
     float slope = 1;             ///< how it grows a voxel on, in the mean near the boundary
 };
 
-/// Reads the level set of that name over `box`.
+/// Reads the level set of that name over `box`. Throws DataError if it contradicts itself: negative
+/// outside, or neighbours nearly the whole band apart.
 Object readObject(const volume::Volume& volume, const std::string& sdf,
                   const volume::IndexBox& box);
 

@@ -156,6 +156,9 @@ Scene read(const Files& files, const Wanted& wanted) {
         requireOne(scene, "reflectance", &Region::reflectance);
         if (wanted.surfaces) requireOne(scene, "albedo", &Region::albedo);
         scene.index = varyingIndex(scene);
+        scene.index.inHalf = objects->isStoredInHalf("ior");
+        for (const Region& region : scene.regions)
+            scene.index.inHalf |= objects->isStoredInHalf(volume::ownGrid("ior", region.name));
     } else {
         const volume::Volume* index = files.withGrid("ior");
         scene.index = blurredIndex(index ? *index : files.first(), files.domain());

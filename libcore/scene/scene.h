@@ -23,6 +23,7 @@ struct Index {
     /// The largest jump between the domain's outermost voxels and the outside; of blurred
     /// boundaries.
     float jumpAtFaces = 0;
+    bool inHalf = false; ///< a file holds some of it in 16 bits
 
     bool varies() const { return most > least; }
 };

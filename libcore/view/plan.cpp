@@ -14,7 +14,7 @@ namespace {
 
 using scene::Region;
 
-void listEffects(Plan& plan, const Params& params) {
+void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     const scene::Scene& scene = plan.scene;
     const std::vector<Effect> all = scene::effectsOf(scene, params.boundary);
     const auto add = [&plan](Effect effect) { plan.effects.push_back(std::move(effect)); };
@@ -45,6 +45,7 @@ void listEffects(Plan& plan, const Params& params) {
     add({"aovs", !params.aovs.empty(), params.aovs.empty() ? "no --aov" : "--aov"});
     if (scene.disperses) add(named("dispersion"));
     plan.warnings = scene::warningsOf(scene);
+    for (const std::string& idle : scene::idleWarnings(files, all)) plan.warnings.push_back(idle);
     if (scattering.on && !plan.lit())
         plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
     if (plan.opaque && !plan.lit())
@@ -73,7 +74,7 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
         scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
         (scene.sharp && scene.anyColoured({&Region::reflectance})) ||
         (plan.scatters && !scene.light.fluence.grey());
-    listEffects(plan, params);
+    listEffects(plan, params, files);
     return plan;
 }
 

@@ -31,8 +31,12 @@ Frame toFrame(const openvdb::math::Transform& transform, const std::string& wher
         throw DataError(where + ": its transform is not linear, expected uniform voxels");
     Frame frame;
     // The transpose of a matrix on row vectors, stored by rows, read by columns: as it stands.
-    frame.worldFromIndex =
-        glm::make_mat4(transform.baseMap()->getAffineMap()->getMat4().asPointer());
+    try {
+        frame.worldFromIndex =
+            glm::make_mat4(transform.baseMap()->getAffineMap()->getMat4().asPointer());
+    } catch (const openvdb::Exception&) { // of the inverse, which OpenVDB computes at once
+        throw DataError(where + ": its transform has no inverse, expected uniform voxels");
+    }
     glm::dvec3 axes[3], lengths;
     for (int i = 0; i < 3; ++i) {
         axes[i] = glm::dvec3(frame.worldFromIndex[i]);

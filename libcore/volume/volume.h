@@ -37,7 +37,7 @@ struct Frame {
     glm::dmat4 indexFromWorld() const;
 };
 
-enum class GridType { scalar, vector, other }; ///< float, vec3s, anything else
+enum class GridType { scalar, vector, other }; ///< float or double, vec3s or vec3d, anything else
 
 /// Values of a box of voxels: x fastest, then y, z; components interleaved.
 struct DenseGrid {
@@ -79,15 +79,18 @@ struct PutOptions {
     std::string vectorType{}; ///< VDB's name: "color", "vector"...; vectors only
 };
 
-/// One scene volume. Grids are read from the file when first asked for; those never asked for are
-/// read only if the volume is written again, and then copied through whatever they hold.
+/// One scene volume. Grids are read from the file when first asked for; those that no stage
+/// replaces are copied as they lie in the file when the volume is written again, whatever they
+/// hold.
 class Volume {
 public:
     /// An empty volume to put grids into.
     explicit Volume(const Frame& frame);
 
-    /// Opens `path` ("-": standard input). Throws MissingError, or DataError if it is no VDB file,
-    /// is cut short, has no active voxel, no grids, or grids on different or unsuitable transforms.
+    /// Opens `path`, a file or a stream ("-": standard input). The scene is the grids of the
+    /// contract or of `names`, where `ior` or else their first one lies; where there is none, all
+    /// grids of numbers. Throws MissingError, or DataError if it is no VDB file, is cut short or
+    /// damaged, or has no active voxel, no grids, or a scene on an unsuitable transform.
     static Volume open(const std::string& path, const GridNames& names = {});
 
     ~Volume();
@@ -96,16 +99,19 @@ public:
 
     const std::string& path() const;
     const Frame& frame() const;
-    /// The box of active voxels over all grids; the domain is this box padded by half a voxel.
+    /// The box of active voxels over the scene's grids; the domain is this box padded by half a
+    /// voxel.
     const IndexBox& domain() const;
     std::vector<GridFacts> grids() const;
+    /// Whether any grid is of the contract, under its name or another by option.
+    bool holdsScene() const;
     /// The objects that level sets `sdf`, `sdf.NAME` bound, the one that wins where objects overlap
     /// first. Where metadata are missing the name is the suffix ("" of plain `sdf`), the priority
     /// 0, the order the level set's place among all by name. Throws DataError if two have one name.
     std::vector<ObjectFacts> objects() const;
 
-    /// Whether the grid of this contract name is there. Throws DataError if its type is not the
-    /// contract's.
+    /// Whether the grid of this contract name is there. Throws DataError if it lies elsewhere than
+    /// the scene, or its type is not the contract's; one number a voxel is grey.
     bool has(const std::string& grid) const;
     /// The background, or `absent` if the grid is not there. Checked like values.
     glm::vec3 background(const std::string& grid, const glm::vec3& absent) const;
@@ -116,6 +122,8 @@ public:
     /// above 0, coefficients not negative, |g| < 1. Throws DataError naming grid and voxel. A level
     /// set gives its band's half width beyond its band, negative inside.
     DenseGrid dense(const std::string& grid, const IndexBox& box) const;
+    /// Whether the file holds the grid's numbers in 16 bits.
+    bool isStoredInHalf(const std::string& grid) const;
     /// For a grid that must be there: throws DataError "no grid 'ior' (found: density)".
     void require(const std::string& grid) const;
 

@@ -96,6 +96,12 @@ VdbGrid::VdbGrid(const std::string& name, Type type, const glm::dvec3& backgroun
 
 VdbGrid::VdbGrid(std::shared_ptr<Impl> impl) : mImpl(std::move(impl)) {}
 
+VdbGrid VdbGrid::sharing(const std::string& name) const {
+    VdbGrid other(std::make_shared<Impl>(Impl{mImpl->grid->copyGrid()}));
+    other.mImpl->grid->setName(name);
+    return other;
+}
+
 void VdbGrid::set(const glm::ivec3& voxel, const glm::dvec3& value) {
     visit(*mImpl->grid, [&](auto& grid) {
         typename std::decay_t<decltype(grid)>::ValueType held{};
@@ -164,6 +170,22 @@ void VdbGrid::setLevelSet() {
 
 bool VdbGrid::isLevelSet() const {
     return mImpl->grid->getGridClass() == openvdb::GRID_LEVEL_SET;
+}
+
+void VdbGrid::setFogVolume() {
+    mImpl->grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+}
+
+std::string VdbGrid::gridClass() const {
+    return openvdb::GridBase::gridClassToString(mImpl->grid->getGridClass());
+}
+
+void VdbGrid::setHalf() {
+    mImpl->grid->setSaveFloatAsHalf(true);
+}
+
+bool VdbGrid::isHalf() const {
+    return mImpl->grid->saveFloatAsHalf();
 }
 
 void VdbGrid::setCovariant() {

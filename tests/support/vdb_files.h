@@ -28,6 +28,8 @@ public:
     /// No active voxel.
     VdbGrid(const std::string& name, Type type, const glm::dvec3& background);
     explicit VdbGrid(std::shared_ptr<Impl> impl);
+    /// A grid of its own on this one's tree, which files hold once.
+    VdbGrid sharing(const std::string& name) const;
 
     // ---- voxels; grids of one component take x, and give their value in all three
     void set(const glm::ivec3& voxel, const glm::dvec3& value); ///< active
@@ -47,6 +49,10 @@ public:
     std::string type() const; ///< OpenVDB's name of its values
     void setLevelSet();
     bool isLevelSet() const;
+    void setFogVolume();
+    std::string gridClass() const; ///< OpenVDB's name of it
+    void setHalf();                ///< stored in 16 bits
+    bool isHalf() const;
     void setCovariant();
     bool isCovariant() const;
     void setCreator(const std::string& creator);

@@ -1,5 +1,5 @@
 eikonal_test(test_volume SOURCES volume/volume_test.cpp volume/bad_volume_test.cpp
-                     volume/objects_test.cpp
+                     volume/damage_test.cpp volume/objects_test.cpp
              LIBRARIES test_support)
 
 # Small analytic scenes for the tests of every stage.

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/vdb_files.h"
 
+#include <fcntl.h>
 #include <glm/gtc/matrix_transform.hpp>
-#include <iostream>
 #include <limits>
 #include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 using namespace eikonal;
 using namespace eikonal::volume;
@@ -65,14 +66,30 @@ TEST_F(VolumeTest, ComesBackFromAStreamWithoutSeeking) {
     reader.join();
     putBytes("streamed.vdb", received);
     expectNumbered(Volume::open(at("streamed.vdb")));
-    std::ifstream in(at("streamed.vdb"), std::ios::binary);
-    std::streambuf* old = std::cin.rdbuf(in.rdbuf());
+    const int before = ::dup(STDIN_FILENO);
+    const int file = ::open(at("streamed.vdb").c_str(), O_RDONLY);
+    ::dup2(file, STDIN_FILENO);
     EXPECT_NO_THROW({
         const Volume volume = Volume::open("-");
         expectNumbered(volume);
         EXPECT_EQ(volume.path(), "standard input");
     });
-    std::cin.rdbuf(old);
+    ::dup2(before, STDIN_FILENO);
+    ::close(before);
+    ::close(file);
+}
+
+TEST_F(VolumeTest, ComesFromAFifoByName) {
+    write(numberedVolume(), "a.vdb");
+    ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(at("pipe"), std::ios::binary) << bytesOf("a.vdb"); });
+    EXPECT_NO_THROW({
+        const Volume volume = Volume::open(at("pipe"));
+        expectNumbered(volume);
+        write(volume, "b.vdb", {"tester", "1.2", ""});
+    });
+    writer.join();
+    expectNumbered(Volume::open(at("b.vdb"))); // what is copied comes from the stream, too
 }
 
 TEST_F(VolumeTest, StandsInTheWorldWhereOpenVdbSaysToo) {
@@ -231,29 +248,133 @@ TEST_F(VolumeTest, PutMarksAsActiveWhatIsAskedFor) {
 TEST_F(VolumeTest, PutKeepsWhatTheReplacedGridSaidOfItself) {
     auto old = floats("ior");
     old.fill({{0, 0, 0}, {1, 1, 1}}, glm::dvec3(1), true); // active, though background
-    old.setLevelSet();
     old.setCreator("someone");
     old.setMeta("note", "kept");
+    old.setMeta("file_note", "of the file");
     auto wind = vectors("wind", {1, 2, 3});
     wind.setCovariant();
-    vdb("a.vdb", {old, wind});
-    Volume volume = Volume::open(at("a.vdb"));
+    auto smoke = floats("smoke");
+    smoke.setLevelSet();
+    vdb("a.vdb", {old, wind, smoke});
+    Volume volume = Volume::open(at("a.vdb"), {{"wind", "wind"}, {"smoke", "smoke"}});
     DenseGrid values = volume.dense("ior", volume.domain());
     values.values.back() = 1; // background, where the old grid was active
     volume.put("ior", volume.domain(), values, {.background = glm::vec3(1), .keepActive = true});
-    volume.put("wind", volume.domain(), volume.dense("wind", volume.domain()), {});
+    for (const char* name : {"wind", "smoke"})
+        volume.put(name, volume.domain(), volume.dense(name, volume.domain()), {});
     write(volume, "b.vdb");
     const auto back = gridIn("b.vdb", "ior");
-    EXPECT_TRUE(back.isLevelSet());
     EXPECT_EQ(back.creator(), "someone");
     EXPECT_EQ(back.meta("note"), VdbMeta("kept"));
+    EXPECT_THROW(back.meta("file_note"), std::runtime_error);
     EXPECT_EQ(back.activeVoxels(), 512u);
     EXPECT_EQ(back.meta("file_voxel_count"), VdbMeta(std::int64_t{512}));
     EXPECT_TRUE(gridIn("b.vdb", "wind").isCovariant());
+    EXPECT_TRUE(gridIn("b.vdb", "smoke").isLevelSet());
 
     volume.put("ior", volume.domain(), values, {.background = glm::vec3(1)});
     write(volume, "c.vdb");
     EXPECT_EQ(gridIn("c.vdb", "ior").activeVoxels(), 512u - 8 - 1);
+}
+
+TEST_F(VolumeTest, WhatIsComputedIsStoredInFloat) {
+    auto old = floats("ior", 1.5f), light = vectors("fluence", {1, 1, 1}), other = floats("other");
+    for (VdbGrid* grid : {&old, &light, &other}) grid->setHalf();
+    vdb("a.vdb", {old, light, other});
+    Volume volume = Volume::open(at("a.vdb"));
+    EXPECT_TRUE(volume.isStoredInHalf("ior"));
+    const IndexBox box = volume.domain();
+    DenseGrid fine = numbered(box, 1, 1), bright = numbered(box, 3, 1e6f); // beyond half's 65504
+    fine.values[0] = 1 + 1e-6f;
+    volume.put("ior", box, fine, {.background = glm::vec3(1), .keepActive = true});
+    volume.put("fluence", box, bright, {});
+    EXPECT_FALSE(volume.isStoredInHalf("ior"));
+    write(volume, "b.vdb");
+    const Volume back = Volume::open(at("b.vdb"));
+    EXPECT_EQ(back.dense("ior", box).values, fine.values);
+    EXPECT_EQ(back.dense("fluence", box).values, bright.values);
+    EXPECT_FALSE(gridIn("b.vdb", "ior").isHalf());
+    EXPECT_FALSE(gridIn("b.vdb", "fluence").isHalf());
+    EXPECT_TRUE(gridIn("b.vdb", "other").isHalf()) << "copied, so as it was";
+}
+
+TEST_F(VolumeTest, GridsOfTheContractClaimNoClassButLevelSets) {
+    auto fog = floats("opacity", 0.5f, 0);
+    fog.setFogVolume();
+    vdb("a.vdb", {floats("ior"), fog});
+    Volume volume = Volume::open(at("a.vdb"));
+    for (const char* name : {"ior", "opacity"})
+        volume.put(name, volume.domain(), volume.dense(name, volume.domain()), {});
+    volume.putConstant("ior.glass", glm::vec3(1.5f));
+    write(volume, "b.vdb");
+    for (const char* name : {"ior", "opacity", "ior.glass"})
+        EXPECT_EQ(gridIn("b.vdb", name).gridClass(), "unknown") << name;
+}
+
+TEST_F(VolumeTest, TwoGridsOfOneNameAreBothCopied) {
+    for (const bool stream : {false, true}) {
+        auto first = floats("points", 2), second = floats("points", 3), third = floats("points", 4);
+        vdb("a.vdb", {first, floats("ior"), second, third});
+        std::thread writer;
+        if (stream) {
+            ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+            writer = std::thread(
+                [&] { std::ofstream(at("pipe"), std::ios::binary) << bytesOf("a.vdb"); });
+        }
+        write(Volume::open(at(stream ? "pipe" : "a.vdb")), "b.vdb");
+        if (stream) writer.join();
+        EXPECT_EQ(gridIn("b.vdb", "points[0]").valueAt({1, 1, 1}), 2);
+        EXPECT_EQ(gridIn("b.vdb", "points[1]").valueAt({1, 1, 1}), 3);
+        EXPECT_EQ(gridIn("b.vdb", "points[2]").valueAt({1, 1, 1}), 4);
+        EXPECT_EQ(gridIn("b.vdb", "ior").valueAt({1, 1, 1}), 1.5);
+    }
+}
+
+TEST_F(VolumeTest, WhatNoStageKnowsMayLieAnywhere) {
+    auto slow = vectors("vel", {1, 2, 3}), far = floats("divergence"), tapered = floats("camera");
+    slow.setVoxelSize(2);
+    far.preScale({1, 2, 1});
+    tapered.setFrustum();
+    far.set({1000, 1000, 1000}, 1);
+    vdb("a.vdb", {slow, far, tapered, floats("ior")});
+    const Volume volume = Volume::open(at("a.vdb"));
+    EXPECT_EQ(volume.domain(), (IndexBox{glm::ivec3(0), glm::ivec3(7)}));
+    EXPECT_EQ(volume.frame().voxelSize, 1);
+    write(volume, "b.vdb");
+    EXPECT_EQ(gridIn("b.vdb", "vel").worldFromIndex({1, 0, 0}).x, 2);
+    EXPECT_EQ(gridIn("b.vdb", "divergence").valueAt({1000, 1000, 1000}), 1);
+    EXPECT_TRUE(gridIn("b.vdb", "camera").hasTopologyOf(tapered));
+}
+
+TEST_F(VolumeTest, TreesSharedByGridsAreCopiedWhole) {
+    auto first = floats("first", 2), second = first.sharing("second");
+    second.setVoxelSize(3);
+    vdb("a.vdb", {first, second, floats("ior")});
+    write(Volume::open(at("a.vdb")), "b.vdb");
+    EXPECT_TRUE(gridIn("b.vdb", "second").hasTopologyOf(first));
+    EXPECT_EQ(gridIn("b.vdb", "second").valueAt({3, 3, 3}), 2);
+    EXPECT_EQ(gridIn("b.vdb", "second").worldFromIndex({1, 0, 0}).x, 3);
+    const Volume shared = Volume::open(at("a.vdb"), {{"ior", "second"}});
+    EXPECT_EQ(shared.dense("ior", {glm::ivec3(0), glm::ivec3(0)}).values.at(0), 2);
+    EXPECT_NEAR(shared.frame().voxelSize, 3, 1e-14); // a cube root
+}
+
+TEST_F(VolumeTest, DoublesAreReadAsFloatsAndOneNumberIsGrey) {
+    vdb("a.vdb", {block("ior", VdbGrid::Type::float64, glm::dvec3(1.25), glm::dvec3(1.125)),
+                  floats("scattering", 0.5f, 0)});
+    Volume volume = Volume::open(at("a.vdb"));
+    const IndexBox box{glm::ivec3(7), glm::ivec3(8, 7, 7)};
+    EXPECT_EQ(volume.dense("ior", box).values, (std::vector<float>{1.25f, 1.125f}));
+    EXPECT_EQ(volume.background("ior", glm::vec3(0)), glm::vec3(1.125f));
+    EXPECT_EQ(volume.dense("scattering", box).values,
+              (std::vector<float>{0.5f, 0.5f, 0.5f, 0, 0, 0}));
+    EXPECT_EQ(volume.dense("scattering", box).components, 3);
+    volume.put("ior", volume.domain(), volume.dense("ior", volume.domain()),
+               {.background = glm::vec3(1.125f), .keepActive = true});
+    write(volume, "b.vdb");
+    EXPECT_EQ(gridIn("b.vdb", "ior").type(), "float");
+    EXPECT_EQ(gridIn("b.vdb", "ior").activeVoxels(), 512u);
+    EXPECT_EQ(gridIn("b.vdb", "scattering").type(), "float");
 }
 
 TEST_F(VolumeTest, PutRefusesWhatNoGridMayHold) {

@@ -82,7 +82,8 @@ void addOptions(tool::Session& session, Options& o) {
     app.add_option("--dump-octree", o.octree,
                    "write the octree that photons step by: grids octree_level, octree_step [voxel]")
         ->type_name("FILE.vdb");
-    tool::addGridNames(app, o.names, {"ior", "absorption", "scattering", "anisotropy", "opacity"});
+    tool::addGridNames(app, o.names,
+                       {"ior", "absorption", "scattering", "anisotropy", "opacity", "sdf"});
 }
 
 lightsim::Output parseOutputs(const std::string& list) {

@@ -1,10 +1,13 @@
 // mesh2vol: turns closed surfaces and what they are made of into a scene volume.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/session.h"
+#include "gpu/device.h"
 #include "mesh/read.h"
 #include "mesh2vol/objects.h"
 #include "voxelize/accept.h"
 #include "voxelize/voxelize.h"
+
+#include <algorithm>
 
 using namespace eikonal;
 
@@ -85,6 +88,21 @@ void explain(const tool::Session& session, const voxelize::Params& params,
     session.explain(plan.effects, voxelize::thinWallWarnings(params, plan), facts);
 }
 
+/// lightsim holds a float a voxel in one buffer: more than fits is told before it is lit.
+void warnOfLightsim(tool::Session& session, const volume::Volume& volume) {
+    const std::int64_t most = session.device().limits().storageBufferBytes / 4;
+    const auto lit = [](const volume::GridFacts& grid) {
+        return grid.name.rfind("scattering", 0) == 0 || grid.name.rfind("opacity", 0) == 0;
+    };
+    const std::vector<volume::GridFacts> grids = volume.grids();
+    if (volume.domain().voxels() <= most || std::none_of(grids.begin(), grids.end(), lit)) return;
+    const glm::ivec3 size = volume.domain().size();
+    session.warn(std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
+                 std::to_string(size.z) +
+                 " voxels are more than lightsim can light on this device, " +
+                 std::to_string(most) + " at most: expected a lower --resolution");
+}
+
 void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
     mesh2vol::checkBeforeReading(o);
     if (session.outputPaths().size() > 1)
@@ -109,6 +127,7 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
     const voxelize::Result result =
         voxelize::voxelize(session.device(), params, plan, session.stats(), session.progress());
     for (const std::string& warning : result.warnings) session.warn(warning);
+    warnOfLightsim(session, result.volume);
     AtomicFile& out = *session.outputs().at(0);
     session.pass("write", [&] { result.volume.write(out, session.history()); });
 }

@@ -106,7 +106,7 @@ void addOptions(CLI::App& app, Options& o) {
         ->group("Picture");
     tool::addGridNames(app, o.names,
                        {"ior", "absorption", "scattering", "anisotropy", "emission", "opacity",
-                        "albedo", "fluence", "light_direction"});
+                        "albedo", "sdf", "fluence", "light_direction"});
 }
 
 void parseTexts(Options& o) {

@@ -30,12 +30,19 @@ void addOptions(CLI::App& app, Options& o) {
                    "and what varies of ior.NAME, within its object only); sdf or sdf.NAME: moves "
                    "the boundary, rounds its edges")
         ->type_name("NAME,...");
-    tool::addGridNames(app, o.names, {"ior", "opacity"});
+    tool::addGridNames(app, o.names, {"ior", "opacity", "sdf"});
+}
+
+std::string namesIn(const volume::Volume& volume) {
+    std::vector<std::string> names;
+    for (const volume::GridFacts& grid : volume.grids()) names.push_back(grid.name);
+    return join(names, ", ");
 }
 
 void smoothVolume(tool::Session& session, Options& o) {
     o.params.automaticGrids = session.app().get_option("--grids")->empty();
     if (!o.params.automaticGrids) o.params.grids = split(o.grids, ',');
+    for (const std::string& grid : o.params.grids) o.names.emplace(grid, grid); // part of the scene
     o.params.check();
     session.guardInputs({o.input});
 
@@ -54,7 +61,11 @@ void smoothVolume(tool::Session& session, Options& o) {
     }
     session.stats().effects = plan.effects;
     AtomicFile& out = *session.outputs().at(0);
-    if (plan.items.empty()) {
+    if (!volume->holdsScene()) {
+        session.warn(
+            "nothing in " + volume->path() + " bends or bounds light (found: " + namesIn(*volume) +
+            "): it is copied; other names are told by --grids NAME,... or --grid-ior NAME");
+    } else if (plan.items.empty()) {
         session.note("nothing in " + volume->path() + " to smooth: it is copied");
     } else {
         const std::vector<smooth::Item> smoothed =

@@ -1,0 +1,132 @@
+// Grids that a stage made, taken into a scene volume.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/error.h"
+#include "volume/contract.h"
+#include "volume/entries.h"
+#include "volume/level_set.h"
+#include "volume/objects.h"
+
+#include <limits>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/ChangeBackground.h>
+#include <openvdb/tools/Dense.h>
+#include <openvdb/tools/Prune.h>
+
+namespace eikonal::volume {
+
+namespace {
+
+using openvdb::FloatGrid;
+using openvdb::GridBase;
+using openvdb::Vec3SGrid;
+
+/// The reverse: a sparse tree of a dense array.
+template<typename GridT>
+typename GridT::Ptr copyIn(const IndexBox& box, const DenseGrid& in,
+                           const typename GridT::ValueType& background, bool allActive) {
+    using Value = typename GridT::ValueType;
+    // Values that equal the background become inactive; one that occurs nowhere keeps all active.
+    const Value none = openvdb::zeroVal<Value>() + std::numeric_limits<float>::lowest();
+    auto grid = GridT::create(allActive ? none : background);
+    const openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(
+        toBox(box), const_cast<Value*>(reinterpret_cast<const Value*>(in.values.data())));
+    openvdb::tools::copyFromDense(dense, *grid, openvdb::zeroVal<Value>());
+    if (allActive) openvdb::tools::changeBackground(grid->tree(), background);
+    openvdb::tools::prune(grid->tree());
+    return grid;
+}
+
+/// Whether an item tells of a grid's voxels or of how a file holds them, not of what it is.
+bool tellsOfStorage(const std::string& item) {
+    return item.rfind("file_", 0) == 0 || item == GridBase::META_SAVE_HALF_FLOAT;
+}
+
+/// Hands on what stays true of the grid that `made` replaces.
+void inherit(GridBase& made, const GridBase& old) {
+    const auto gridClass = made.getGridClass();
+    // Items of the same name may differ in type, which insertMeta() refuses to replace.
+    for (auto item = old.beginMeta(); item != old.endMeta(); ++item) {
+        if (tellsOfStorage(item->first)) continue;
+        made.removeMeta(item->first);
+        made.insertMeta(item->first, *item->second);
+    }
+    if (gridClass != openvdb::GRID_UNKNOWN || ruleFor(made.getName())) made.setGridClass(gridClass);
+}
+
+/// Makes the voxels active that were so in the grid replaced, which held floats or doubles.
+template<typename Floats, typename Doubles> void keepActive(Floats& made, const GridBase& old) {
+    if (old.isType<Floats>())
+        made.topologyUnion(static_cast<const Floats&>(old));
+    else
+        made.topologyUnion(static_cast<const Doubles&>(old));
+    openvdb::tools::prune(made.tree());
+}
+
+} // namespace
+
+void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
+                 const PutOptions& options) {
+    if (const auto wrong = findFault(nullptr, values, box.min))
+        throw InternalError("grid '" + grid + "': " + *wrong);
+    const GridType type = values.components == 3 ? GridType::vector : GridType::scalar;
+    const Entry* old = mImpl->find(grid);
+    if (old && old->type != type) old = nullptr;
+    if (old) old = &mImpl->numbers(grid);
+    GridBase::Ptr made;
+    const glm::vec3 b = options.background;
+    if (type == GridType::vector) {
+        const auto vectors =
+            copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
+        if (old && options.keepActive)
+            keepActive<Vec3SGrid, openvdb::Vec3DGrid>(*vectors, *old->grid);
+        made = vectors;
+    } else {
+        const auto scalars = copyIn<FloatGrid>(box, values, b.x, options.allActive);
+        if (old && options.keepActive)
+            keepActive<FloatGrid, openvdb::DoubleGrid>(*scalars, *old->grid);
+        made = scalars;
+    }
+    made->setName(grid);
+    if (old)
+        inherit(*made, *old->grid);
+    else
+        made->setCreator("eikonal");
+    made->setName(grid);
+    if (!options.vectorType.empty())
+        made->setVectorType(options.vectorType == "vector" ? openvdb::VEC_CONTRAVARIANT_RELATIVE
+                                                           : openvdb::VEC_INVARIANT);
+    mImpl->place(made);
+}
+
+void Volume::putConstant(const std::string& grid, const glm::vec3& value) {
+    const GridRule* rule = ruleFor(grid);
+    if (!rule) throw InternalError("grid '" + grid + "': not of the contract, it has no type");
+    GridBase::Ptr made;
+    if (rule->type == GridType::vector) {
+        const auto vectors = Vec3SGrid::create(openvdb::Vec3s(value.x, value.y, value.z));
+        vectors->setVectorType(openvdb::VEC_INVARIANT);
+        made = vectors;
+    } else {
+        made = FloatGrid::create(value.x);
+    }
+    made->setName(grid);
+    made->setCreator("eikonal");
+    mImpl->place(made);
+}
+
+void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
+                         double halfWidth) {
+    if (const auto wrong = findFault(nullptr, values, box.min))
+        throw InternalError("grid '" + object.sdf + "': " + *wrong);
+    const auto made =
+        makeLevelSet(box, values, static_cast<float>(halfWidth * mImpl->frame.voxelSize));
+    made->setCreator("eikonal");
+    made->setGridClass(openvdb::GRID_LEVEL_SET);
+    const Entry* old = mImpl->find(object.sdf);
+    if (old && old->grid) inherit(*made, *old->grid);
+    describe(*made, object);
+    made->setName(object.sdf);
+    mImpl->place(made);
+}
+
+} // namespace eikonal::volume
