@@ -255,8 +255,8 @@ test_header_and_channels() {
     local text
     for text in '16 x *12, 2[0-9] channel, float openexr' 'eikonal:tool: "render"' \
         '^render in.vdb .*--aov all' worldtocamera: worldtoNDC: 'chromaticities: 0.64, 0.33' \
-        'exit_position.X' 'exit_direction.Z' 'transmittance.G' 'optical_path_length' \
-        'path_length' 'steps' 'Z' 'error' 'AR, AG, AB\|AB'; do
+        'exit_position.X' 'exit_direction.Z' 'transmittance.G' ' optical_path_length.V' \
+        ' path_length.V' ' steps.V' ' Z[ ,(]' ' error.V' 'AR, AG, AB\|AB'; do
         grep -qi -e "$text" info || fail "'$text' is not in the header: $(cat info)"
     done
     grep -qi 'datetime\|capdate' info && fail "the header holds a date"
