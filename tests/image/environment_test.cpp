@@ -6,11 +6,12 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
-#include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <sys/stat.h>
 
 using namespace eikonal;
@@ -26,23 +27,28 @@ struct Part {
 
 class EnvironmentTest : public ExrFilesTest {
 protected:
-    void write(const std::string& file, const std::vector<Part>& parts) const {
+    void write(const std::string& file, const std::vector<Part>& parts,
+               const std::optional<Imf::Chromaticities>& chromaticities = std::nullopt) const {
         std::vector<Imf::Header> headers;
         for (const Part& part : parts) {
             headers.emplace_back(kWidth, kHeight);
             headers.back().setName(part.name);
             headers.back().setType(Imf::SCANLINEIMAGE);
+            if (chromaticities) Imf::addChromaticities(headers.back(), *chromaticities);
             for (const auto& [name, value] : part.channels)
                 headers.back().channels().insert(name, Imf::Channel(Imf::FLOAT));
         }
         Imf::MultiPartOutputFile out(at(file).c_str(), headers.data(),
                                      static_cast<int>(headers.size()));
         for (size_t p = 0; p < parts.size(); ++p) {
+            std::map<std::string, std::vector<float>> samples;
             Imf::FrameBuffer planes;
-            for (const auto& [name, value] : parts[p].channels)
-                planes.insert(name, Imf::Slice(Imf::FLOAT,
-                                               reinterpret_cast<char*>(const_cast<float*>(&value)),
-                                               0, 0));
+            for (const auto& [name, value] : parts[p].channels) {
+                std::vector<float>& plane = samples[name];
+                plane.assign(kWidth * kHeight, value);
+                planes.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()),
+                                               sizeof(float), sizeof(float) * kWidth));
+            }
             Imf::OutputPart output(out, static_cast<int>(p));
             output.setFrameBuffer(planes);
             output.writePixels(kHeight);
@@ -125,23 +131,9 @@ TEST(Radiance, WhatIsNoneIsClampedAndToldOrRefused) {
 }
 
 TEST_F(EnvironmentTest, ChromaticitiesComeFromTheFile) {
-    Imf::Header header(kWidth, kHeight);
-    Imf::addChromaticities(header, Imf::Chromaticities({0.713f, 0.293f}, {0.165f, 0.830f},
-                                                       {0.128f, 0.044f}, {0.32168f, 0.33767f}));
-    const float red = 1, none = 0;
-    Imf::FrameBuffer planes;
-    for (const char* name : {"R", "G", "B"}) {
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        planes.insert(name, Imf::Slice(Imf::FLOAT,
-                                       reinterpret_cast<char*>(
-                                           const_cast<float*>(*name == 'R' ? &red : &none)),
-                                       0, 0));
-    }
-    {
-        Imf::OutputFile file(at("aces.exr").c_str(), header);
-        file.setFrameBuffer(planes);
-        file.writePixels(kHeight);
-    }
+    write("aces.exr", {{"sky", {{"R", 1}, {"G", 0}, {"B", 0}}}},
+          Imf::Chromaticities({0.713f, 0.293f}, {0.165f, 0.830f}, {0.128f, 0.044f},
+                              {0.32168f, 0.33767f}));
     EXPECT_NEAR(first("aces.exr")[0], 1.7051, 5e-4); // as above
 }
 
