@@ -16,6 +16,8 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTestFile.h>
 #include <algorithm>
+#include <cstdint>
+#include <fstream>
 #include <map>
 #include <new>
 
@@ -25,6 +27,37 @@ namespace {
 
 long long sideOf(int low, int high) {
     return static_cast<long long>(high) - low + 1;
+}
+
+/// Walks through the attributes. OpenEXR takes memory for the size that one claims, gigabytes in a
+/// damaged file, before it finds the file's end.
+void checkAttributes(const std::string& opened, const std::string& path) {
+    std::ifstream file(opened, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    const auto number = [&file] { // little endian
+        unsigned char bytes[4] = {};
+        file.read(reinterpret_cast<char*>(bytes), sizeof bytes);
+        return static_cast<std::int32_t>(bytes[0] | bytes[1] << 8u | bytes[2] << 16u |
+                                         static_cast<unsigned>(bytes[3]) << 24u);
+    };
+    file.seekg(4); // the magic number
+    const bool multiPart = (number() & 0x1000) != 0;
+    std::string name, type;
+    // Headers end with an empty name each, their list with another.
+    for (bool begun = false; std::getline(file, name, '\0');) {
+        if (name.empty()) {
+            if (!multiPart || !begun) return;
+            begun = false;
+            continue;
+        }
+        begun = true;
+        std::getline(file, type, '\0');
+        const std::int32_t length = number();
+        if (!file || length < 0 || length > size - file.tellg())
+            throw DataError(path + ": attribute '" + name.substr(0, 40) + "' claims " +
+                            std::to_string(length) + " bytes, more than the file has left");
+        file.seekg(length, std::ios::cur);
+    }
 }
 
 /// Channels that make a picture: a layer of a part of the file.
@@ -220,6 +253,7 @@ Image readExr(const std::string& file, const std::string& layer, const std::stri
     checkReadable(file);
     try {
         if (!Imf::isOpenExrFile(file.c_str())) throw DataError(path + ": is no OpenEXR file");
+        checkAttributes(file, path);
         return decode(file, path, layer);
     } catch (const Error&) {
         throw;

@@ -151,6 +151,23 @@ TEST_F(ExrInputTest, AHeaderOfAbsurdSizeTakesNoMemory) {
     EXPECT_LT(peakKibibytes() - before, 100 * 1024);
 }
 
+TEST_F(ExrInputTest, AnAttributeOfAbsurdSizeTakesNoMemory) {
+    ImageAttributes attributes;
+    attributes.strings = {{"comments", "hello"}};
+    exr("a.exr", numbered(8, 4, kRgb), attributes);
+    std::string bytes = bytesOf("a.exr");
+    // name, 0, "string", 0, size (4)
+    const size_t at = bytes.find("comments") + 9 + 7;
+    const long before = peakKibibytes();
+    for (const int size : {1 << 30, 1'000'000, -1}) {
+        std::memcpy(bytes.data() + at, &size, sizeof size);
+        putBytes("big.exr", bytes);
+        expectError(ExitStatus::data, {"big.exr", "'comments'", std::to_string(size)},
+                    [&] { readExr(this->at("big.exr")); });
+    }
+    EXPECT_LT(peakKibibytes() - before, 100 * 1024); // of the gibibyte claimed
+}
+
 TEST_F(ExrInputTest, DamagedFilesAreDataErrorsOrStillPictures) {
     exr("a.exr", numbered(40, 40, {"R", "G", "B", "A"}));
     const std::string whole = bytesOf("a.exr");

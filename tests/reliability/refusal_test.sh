@@ -77,7 +77,26 @@ test_lightsim() {
 test_render() {
     local look='--eye 0,0,5 --target 0,0,0 --fov 40 --size 20x15 --background 1,1,1 --quiet'
     each_refused out.exr render box.vdb -o out.exr $look --aov all
-    each_refused out.png render box.vdb -o out.png $look --env map.png
+    each_refused out.png render box.vdb -o out.png ${look/--background 1,1,1/--env map.png}
+}
+
+# Little address space: the picture, or 71. (The loader of libraries itself needs some 100 MB.)
+test_address_space() {
+    local look='--eye 0,0,5 --target 0,0,0 --fov 40 --size 20x15 --background 1,1,1 --quiet' limit found
+    render box.vdb -o out.exr $look && mv out.exr whole-out.exr || fail "the picture fails"
+    for limit in $(seq 200000 25000 700000); do
+        rounds=$((rounds + 1))
+        (ulimit -v "$limit" && exec timeout -k 1 30 render box.vdb -o out.exr $look) >stdout 2>stderr
+        found=$?
+        case $found in
+        0) cmp -s out.exr whole-out.exr || fail "ulimit -v $limit: other bytes" ;;
+        71) [ "$(wc -l <stderr)" -eq 1 ] || fail "ulimit -v $limit: expected one line" ;;
+        *) fail "ulimit -v $limit gave $found, expected 0 or 71" ;;
+        esac
+        [ $found -ne 0 ] || rm out.exr
+        nothing_left
+    done
+    [ $found -eq 0 ] || fail "700 MB are not enough"
 }
 
 # A device that can't be had, and kernels that don't compile.
