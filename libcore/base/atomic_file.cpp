@@ -3,6 +3,7 @@
 #include "base/atomic_file.h"
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <array>
 #include <atomic>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <poll.h>
 #include <streambuf>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -39,10 +41,15 @@ int claimSlot(const std::string& path) {
 }
 
 void onSignal(int signal) {
-    for (TemporarySlot& slot : temporaries)
-        if (slot.used) ::unlink(slot.path);
+    removeTemporaries();
     std::signal(signal, SIG_DFL);
     ::raise(signal);
+}
+
+constexpr int kMostLinks = 40; // as in the kernel
+
+std::string nameOf(const std::string& path) {
+    return path == "-" ? "standard output" : path;
 }
 
 /// A stream buffer on a file descriptor that remembers the first errno.
@@ -97,6 +104,28 @@ std::string reason(int error) {
     return std::strerror(error);
 }
 
+/// The number N where the path leads to a descriptor of this process, as /dev/stdout, /dev/fd/N
+/// and the shell's >(command) do; -1 elsewhere. Such a link is no name of the file behind it: that
+/// may be a pipe, gone, or being written from its middle.
+int descriptorOf(std::filesystem::path path) {
+    std::error_code error;
+    const std::filesystem::path own =
+        std::filesystem::canonical("/proc/self/fd", error); // /proc/PID/fd
+    if (error) return -1;
+    for (int hop = 0; hop < kMostLinks; ++hop) {
+        const auto folder = std::filesystem::canonical(
+            path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), error);
+        if (error) return -1;
+        if (folder == own) {
+            const auto number = parseNumber(path.filename().string());
+            return number && *number >= 0 && *number < 1e6 ? static_cast<int>(*number) : -1;
+        }
+        if (!std::filesystem::is_symlink(path, error)) return -1;
+        path = folder / std::filesystem::read_symlink(path, error);
+    }
+    return -1;
+}
+
 } // namespace
 
 struct AtomicFile::Impl {
@@ -110,10 +139,14 @@ struct AtomicFile::Impl {
     std::unique_ptr<DescriptorBuffer> buffer;
     std::unique_ptr<std::ostream> stream;
 
-    void openStandardOutput() {
-        // A copy, so that closing it to learn of a late error leaves descriptor 1 alone.
-        descriptor = ::dup(STDOUT_FILENO);
-        if (descriptor < 0) throw CreateError("standard output: " + reason(errno));
+    /// Writes on where others have written to, as a shell's redirection does.
+    void openDescriptor(int number) {
+        const int flags = ::fcntl(number, F_GETFL);
+        if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY)
+            throw CreateError(nameOf(path) + ": can't write: open for reading only");
+        // A copy, so that closing it to learn of a late error leaves the other alone.
+        descriptor = ::fcntl(number, F_DUPFD_CLOEXEC, 0);
+        if (descriptor < 0) throw CreateError(nameOf(path) + ": can't write: " + reason(errno));
         target = temporary = path;
     }
 
@@ -172,8 +205,8 @@ AtomicFile::AtomicFile(const std::string& path, bool noClobber) : mImpl(new Impl
     file.path = path;
     file.noClobber = noClobber;
     if (path.empty()) throw CreateError("the output path is empty");
-    if (path == "-") {
-        file.openStandardOutput();
+    if (const int number = path == "-" ? STDOUT_FILENO : descriptorOf(path); number >= 0) {
+        file.openDescriptor(number);
     } else {
         std::error_code ignored;
         const auto status = std::filesystem::status(path, ignored);
@@ -184,7 +217,7 @@ AtomicFile::AtomicFile(const std::string& path, bool noClobber) : mImpl(new Impl
             throw CreateError(path + ": exists, and --no-clobber is given");
         file.target = path;
         for (int hop = 0; std::filesystem::is_symlink(file.target, ignored); ++hop) {
-            if (hop == 40) throw CreateError(path + ": too many symbolic links");
+            if (hop == kMostLinks) throw CreateError(path + ": too many symbolic links");
             const auto next = std::filesystem::read_symlink(file.target, ignored);
             file.target = (std::filesystem::path(file.target).parent_path() / next).string();
         }
@@ -223,8 +256,9 @@ void AtomicFile::finish() {
     Impl& file = *mImpl;
     if (!file.stream) return;
     file.stream->flush();
-    const std::string name = file.path == "-" ? "standard output" : file.path;
+    const std::string name = nameOf(file.path);
     const int written = file.buffer->error();
+    if (written == EPIPE) throw ClosedPipe(name + ": nobody reads it any more");
     if (written != 0) throw IoError(name + ": write failed: " + reason(written));
     if (!*file.stream) throw IoError(name + ": write failed");
     file.stream.reset();
@@ -253,9 +287,33 @@ void removeTemporariesOnSignals() {
     // A signal that the caller had us ignore (nohup) stays ignored.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, onSignal) == SIG_IGN) std::signal(signal, SIG_IGN);
-    // A closed pipe or a file beyond the size limit then fails the write, which is reported.
+    // A closed pipe or a file beyond the size limit then fails the write, which main hears of.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void removeTemporaries() {
+    for (TemporarySlot& slot : temporaries)
+        if (slot.used) ::unlink(slot.path);
+}
+
+bool readerIsGone(int descriptor) {
+    pollfd look{descriptor, POLLOUT, 0};
+    return ::poll(&look, 1, 0) > 0 && (look.revents & POLLERR) != 0;
+}
+
+void endByClosedPipe() {
+    removeTemporaries();
+    std::signal(SIGPIPE, SIG_DFL);
+    ::raise(SIGPIPE);
+    ::_exit(128 + SIGPIPE); // where the signal is blocked
+}
+
+bool writtenInPlace(const std::string& path) {
+    if (path == "-" || descriptorOf(path) >= 0) return true;
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
 bool sameFile(const std::string& a, const std::string& b) {

@@ -9,9 +9,10 @@
 namespace eikonal {
 
 /// An output being written. A regular file goes to a temporary beside it and is renamed by
-/// commit() (a symbolic link is followed); a device or FIFO is written in place; "-" is standard
-/// output. Destroyed before commit(), or on SIGINT and SIGTERM after removeTemporariesOnSignals(),
-/// it leaves nothing behind. Open it before the work, so that a bad path is found at once.
+/// commit() (a symbolic link is followed); a device or FIFO is written in place, and so is an open
+/// descriptor: "-", standard output, or what /dev/stdout, /dev/fd/N and >(command) lead to.
+/// Destroyed before commit(), or on SIGINT and SIGTERM after removeTemporariesOnSignals(), it
+/// leaves nothing behind. Open it before the work, so that a bad path is found at once.
 class AtomicFile {
 public:
     /// Throws CreateError if the file can't be created, or exists under `noClobber`.
@@ -31,7 +32,8 @@ public:
     const std::string& path() const;
 
     /// Flushes and checks that every byte arrived; the stream is closed after that. Where a run has
-    /// several outputs, finish them all before committing any. Throws IoError.
+    /// several outputs, finish them all before committing any. Throws IoError, and ClosedPipe
+    /// where the reader of a pipe has gone.
     void finish();
 
     /// finish(), if that was not done, and the rename. Throws IoError, CreateError.
@@ -46,6 +48,18 @@ private:
 /// signal (so a shell sees 128 + N), and SIGPIPE and SIGXFSZ ordinary write errors. Called once, by
 /// main.
 void removeTemporariesOnSignals();
+
+/// Removes every open temporary; all that a signal handler may do.
+void removeTemporaries();
+
+/// Whether a descriptor is a pipe that nobody reads any more.
+bool readerIsGone(int descriptor);
+
+/// Ends the process as SIGPIPE does, which says nothing; a shell sees 141.
+[[noreturn]] void endByClosedPipe();
+
+/// Whether an output of that path is written in place: devices, FIFOs, open descriptors.
+bool writtenInPlace(const std::string& path);
 
 /// Whether both paths name the same existing file. "-" is no file.
 bool sameFile(const std::string& a, const std::string& b);

@@ -47,6 +47,12 @@ using MemoryError = ErrorOf<ExitStatus::memory>;
 using CreateError = ErrorOf<ExitStatus::cantCreate>;
 using IoError = ErrorOf<ExitStatus::io>;
 
+/// The reader of a pipe has gone: no fault, the run just ends, as by SIGPIPE.
+class ClosedPipe : public IoError {
+public:
+    using IoError::IoError;
+};
+
 /// Throws UsageError of an option whose value does not hold: what was found, and what was wanted.
 inline void requireOption(bool holds, const std::string& option, const std::string& found,
                           const std::string& wanted) {

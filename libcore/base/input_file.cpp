@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
@@ -18,6 +19,29 @@ bool isStream(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return false;
     return S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || S_ISCHR(status.st_mode);
+}
+
+SeekableInput::SeekableInput(const std::string& path) : mPath(path) {
+    if (!isStream(path)) return;
+    const std::string bytes = readWhole(path);
+    mDescriptor = ::memfd_create("input", MFD_CLOEXEC);
+    if (mDescriptor < 0) throw MemoryError(path + ": can't be kept: " + std::strerror(errno));
+    size_t kept = 0;
+    while (kept < bytes.size()) {
+        const ssize_t part = ::write(mDescriptor, bytes.data() + kept, bytes.size() - kept);
+        if (part < 0 && errno == EINTR) continue;
+        if (part <= 0) {
+            const std::string reason = std::strerror(errno);
+            ::close(mDescriptor);
+            throw MemoryError(path + ": can't be kept: " + reason);
+        }
+        kept += static_cast<size_t>(part);
+    }
+    mPath = "/proc/self/fd/" + std::to_string(mDescriptor);
+}
+
+SeekableInput::~SeekableInput() {
+    if (mDescriptor >= 0) ::close(mDescriptor);
 }
 
 std::string readWhole(const std::string& path) {

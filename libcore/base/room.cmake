@@ -1,1 +1,2 @@
-eikonal_room(base SOURCES atomic_file.cpp history.cpp input_file.cpp text.cpp)
+eikonal_room(base SOURCES atomic_file.cpp history.cpp input_file.cpp last_line.cpp resources.cpp
+             standard_error.cpp text.cpp)

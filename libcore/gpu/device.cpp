@@ -3,6 +3,7 @@
 #include "gpu/device.h"
 
 #include "base/error.h"
+#include "base/resources.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -138,9 +139,14 @@ Limits readLimits(bool software) {
 }
 
 void setSoftwareThreads(int threads) {
-    // llvmpipe reads its thread count once, when its screen is made; 0 there would mean "none".
-    if (threads > 0) ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
+    // llvmpipe reads its thread count once, when its screen is made; 0 means the caller's alone.
+    if (threads > 0)
+        ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 1);
 }
+
+// Compiling a kernel takes Mesa and LLVM this much at their peak, and they crash where they get
+// less. Drivers for GPUs ask for more by themselves and say so.
+constexpr std::size_t kSoftwareDeviceBytes = std::size_t{256} << 20;
 
 } // namespace
 
@@ -186,6 +192,7 @@ struct Device::Impl {
 };
 
 Device::Device(const DeviceChoice& choice) : mImpl(new Impl) {
+    requireMemory("the device", kSoftwareDeviceBytes);
     setSoftwareThreads(choice.threads);
     std::vector<Candidate> all = candidates();
     if (choice.kind == DeviceChoice::Kind::index) {

@@ -39,13 +39,15 @@ struct ImageAttributes {
 void writeExr(const Image& image, const ImageAttributes& attributes, AtomicFile& out,
               int threads = 0);
 
-/// Reads every full-resolution channel of a single-part scanline or tiled EXR (of a tiled file
-/// the finest level) as floats, in the file's alphabetical order. The picture is the display
-/// window, 0 where the data window does not reach; of an environment map ('envmap' attribute) it
-/// is the data window, which is what ImfEnvmap.h maps to directions.
-/// Throws MissingError if the file can't be opened; DataError if it is no EXR, is damaged or
-/// incomplete, is deep, multi-part or luminance/chroma, or has neither R, G and B nor Y;
-/// MemoryError. "-" is no path here: EXR needs to seek.
-Image readExr(const std::string& path);
+/// Reads a flat picture, scanline or tiled (of a tiled one the finest level), as floats: every
+/// full-resolution channel, in the file's alphabetical order. Of several parts it is the first with
+/// colours, of several layers the unnamed one (R, G, B or Y), or else the only one, whose channels
+/// lose its name; `layer` names another layer or part. The picture is the display window, 0 where
+/// the data window does not reach; of an environment map ('envmap' attribute) it is the data
+/// window, which is what ImfEnvmap.h maps to directions. Messages call the file `name`, or else
+/// `path`. Throws MissingError if the file can't be opened; DataError if it is no EXR, is damaged
+/// or incomplete, is deep or luminance/chroma, has no colours or several layers to choose from;
+/// MemoryError.
+Image readExr(const std::string& path, const std::string& layer = "", const std::string& name = "");
 
 } // namespace eikonal::image

@@ -3,16 +3,22 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "image/exr.h"
+#include "image/exr_workers.h"
 #include "image/input.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfEnvmapAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTestFile.h>
 #include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <map>
 #include <new>
 
 namespace eikonal::image {
@@ -23,31 +29,130 @@ long long sideOf(int low, int high) {
     return static_cast<long long>(high) - low + 1;
 }
 
-void checkKind(const std::string& path) {
-    bool tiled = false, deep = false, multiPart = false;
-    if (!Imf::isOpenExrFile(path.c_str(), tiled, deep, multiPart))
-        throw DataError(path + ": is no OpenEXR file");
-    if (deep) throw DataError(path + ": is a deep EXR, expected a flat one");
-    if (multiPart) throw DataError(path + ": is a multi-part EXR, expected a single part");
+/// Walks through the attributes. OpenEXR takes memory for the size that one claims, gigabytes in a
+/// damaged file, before it finds the file's end.
+void checkAttributes(const std::string& opened, const std::string& path) {
+    std::ifstream file(opened, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    const auto number = [&file] { // little endian
+        unsigned char bytes[4] = {};
+        file.read(reinterpret_cast<char*>(bytes), sizeof bytes);
+        return static_cast<std::int32_t>(bytes[0] | bytes[1] << 8u | bytes[2] << 16u |
+                                         static_cast<unsigned>(bytes[3]) << 24u);
+    };
+    file.seekg(4); // the magic number
+    const bool multiPart = (number() & 0x1000) != 0;
+    std::string name, type;
+    // Headers end with an empty name each, their list with another.
+    for (bool begun = false; std::getline(file, name, '\0');) {
+        if (name.empty()) {
+            if (!multiPart || !begun) return;
+            begun = false;
+            continue;
+        }
+        begun = true;
+        std::getline(file, type, '\0');
+        const std::int32_t length = number();
+        if (!file || length < 0 || length > size - file.tellg())
+            throw DataError(path + ": attribute '" + name.substr(0, 40) + "' claims " +
+                            std::to_string(length) + " bytes, more than the file has left");
+        file.seekg(length, std::ios::cur);
+    }
 }
 
-/// The channels at full resolution; throws if there is no picture among them.
-std::vector<std::string> channelsOf(const Imf::Header& header, const std::string& path) {
-    std::vector<std::string> all, full;
+/// Channels that make a picture: a layer of a part of the file.
+struct Picture {
+    int part = 0;
+    std::string partName, layer;
+    std::vector<std::string> channels; ///< at full resolution, the layer's name with them
+};
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// "ViewLayer.Combined" of "ViewLayer.Combined.R".
+std::string layerOf(const std::string& channel) {
+    const size_t dot = channel.rfind('.');
+    return dot == std::string::npos ? "" : channel.substr(0, dot);
+}
+
+/// The pictures in a part, the unnamed layer first. `all` gathers the names of its channels.
+std::vector<Picture> picturesOf(const Imf::Header& header, int part,
+                                std::vector<std::string>& all) {
+    std::vector<std::string> names;
+    std::map<std::string, std::vector<std::string>> layers;
     for (auto at = header.channels().begin(); at != header.channels().end(); ++at) {
-        all.emplace_back(at.name());
+        names.emplace_back(at.name());
         if (at.channel().xSampling == 1 && at.channel().ySampling == 1)
-            full.emplace_back(at.name());
+            layers[layerOf(at.name())].emplace_back(at.name());
     }
-    const auto has = [](const std::vector<std::string>& names, const char* name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+    all.insert(all.end(), names.begin(), names.end());
+    std::vector<Picture> pictures;
+    for (const auto& [layer, channels] : layers) {
+        const std::string dotted = layer.empty() ? "" : layer + ".";
+        if (has(names, dotted + "RY") || has(names, dotted + "BY")) continue;
+        if (has(channels, dotted + "Y") ||
+            (has(channels, dotted + "R") && has(channels, dotted + "G") &&
+             has(channels, dotted + "B")))
+            pictures.push_back({part, header.hasName() ? header.name() : "", layer, channels});
+    }
+    // An unnamed picture has the layers beside it as further channels.
+    if (!pictures.empty() && pictures.front().layer.empty())
+        for (const auto& [layer, channels] : layers)
+            if (!layer.empty())
+                pictures.front().channels.insert(pictures.front().channels.end(), channels.begin(),
+                                                 channels.end());
+    return pictures;
+}
+
+std::string namesOf(const std::vector<Picture>& pictures) {
+    std::vector<std::string> names;
+    for (const Picture& picture : pictures)
+        names.push_back(!picture.layer.empty()     ? picture.layer
+                        : picture.partName.empty() ? "R, G, B"
+                                                   : picture.partName);
+    return join(names, ", ");
+}
+
+Picture choose(const std::vector<Picture>& pictures, const std::string& layer,
+               const std::string& path) {
+    if (!layer.empty()) {
+        for (const Picture& picture : pictures)
+            if (picture.layer == layer || picture.partName == layer) return picture;
+        throw DataError(path + ": no layer or part '" + layer +
+                        "' with colours (found: " + namesOf(pictures) + ")");
+    }
+    const Picture& first = pictures.front();
+    const auto inPart = std::count_if(pictures.begin(), pictures.end(),
+                                      [&](const Picture& one) { return one.part == first.part; });
+    if (!first.layer.empty() && inPart > 1)
+        throw DataError(path + ": has several layers, expected FILE:LAYER with one of " +
+                        namesOf(pictures));
+    return first;
+}
+
+/// The picture asked for; throws if there is none.
+Picture pictureIn(Imf::MultiPartInputFile& file, const std::string& layer,
+                  const std::string& path) {
+    std::vector<Picture> pictures;
+    std::vector<std::string> all;
+    int deep = 0;
+    for (int part = 0; part < file.parts(); ++part) {
+        const Imf::Header& header = file.header(part);
+        if (header.hasType() && Imf::isDeepData(header.type())) {
+            ++deep;
+            continue;
+        }
+        const std::vector<Picture> here = picturesOf(header, part, all);
+        pictures.insert(pictures.end(), here.begin(), here.end());
+    }
+    if (deep > 0 && deep == file.parts())
+        throw DataError(path + ": is a deep EXR, expected a flat one");
+    if (!pictures.empty()) return choose(pictures, layer, path);
     if (has(all, "RY") || has(all, "BY"))
         throw DataError(path + ": holds luminance and chroma, expected R, G and B or Y alone");
-    if (!has(full, "Y") && !(has(full, "R") && has(full, "G") && has(full, "B")))
-        throw DataError(path + ": no channels R, G and B, and no Y (found: " + join(all, ", ") +
-                        ")");
-    return full;
+    throw DataError(path + ": no channels R, G and B, and no Y (found: " + join(all, ", ") + ")");
 }
 
 /// Slices into planar samples that cover the window.
@@ -64,7 +169,7 @@ Imf::FrameBuffer planesOf(std::vector<float>& samples, const std::vector<std::st
 
 /// Reads the first and the last line into one line's memory. A damaged header can claim any size;
 /// this shows that the file has such lines before the memory for all of them is touched.
-void probe(Imf::InputFile& file, const std::vector<std::string>& channels,
+void probe(Imf::InputPart& file, const std::vector<std::string>& channels,
            const Imath::Box2i& window) {
     std::vector<float> line(channels.size() *
                             static_cast<size_t>(sideOf(window.min.x, window.max.x)));
@@ -103,13 +208,24 @@ Envmap envmapOf(const Imf::Header& header) {
     return Imf::envmap(header) == Imf::ENVMAP_LATLONG ? Envmap::latLong : Envmap::cube;
 }
 
-Image decode(const std::string& path) {
-    Imf::InputFile file(path.c_str());
+std::optional<std::array<double, 8>> chromaticitiesOf(const Imf::Header& header) {
+    if (!Imf::hasChromaticities(header)) return std::nullopt;
+    const Imf::Chromaticities& c = Imf::chromaticities(header);
+    return std::array<double, 8>{c.red.x,  c.red.y,  c.green.x, c.green.y,
+                                 c.blue.x, c.blue.y, c.white.x, c.white.y};
+}
+
+Image decode(const std::string& opened, const std::string& path, const std::string& layer) {
+    const ExrWorkers workers(0);
+    Imf::MultiPartInputFile parts(opened.c_str(), 0);
+    const Picture picture = pictureIn(parts, layer, path);
+    Imf::InputPart file(parts, picture.part);
     const Imf::Header& header = file.header();
     const Imath::Box2i data = header.dataWindow();
     Image image;
-    image.channels = channelsOf(header, path);
+    image.channels = picture.channels;
     image.envmap = envmapOf(header);
+    image.chromaticities = chromaticitiesOf(header);
     const Imath::Box2i window =
         image.envmap == Envmap::none ? header.displayWindow() : header.dataWindow();
     const long long height = sideOf(data.min.y, data.max.y);
@@ -125,16 +241,20 @@ Image decode(const std::string& path) {
     file.setFrameBuffer(planesOf(image.pixels, image.channels, data));
     file.readPixels(data.min.y, data.max.y);
     if (data != window) image.pixels = moved(image.pixels, image.channels.size(), data, window);
+    if (!picture.layer.empty())
+        for (std::string& channel : image.channels) channel.erase(0, picture.layer.size() + 1);
     return image;
 }
 
 } // namespace
 
-Image readExr(const std::string& path) {
-    checkReadable(path);
+Image readExr(const std::string& file, const std::string& layer, const std::string& name) {
+    const std::string& path = name.empty() ? file : name;
+    checkReadable(file);
     try {
-        checkKind(path);
-        return decode(path);
+        if (!Imf::isOpenExrFile(file.c_str())) throw DataError(path + ": is no OpenEXR file");
+        checkAttributes(file, path);
+        return decode(file, path, layer);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

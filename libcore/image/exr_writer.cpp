@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/error.h"
 #include "image/exr.h"
+#include "image/exr_stream.h"
+#include "image/exr_workers.h"
+#include "image/input.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfThreading.h>
+#include <algorithm>
+#include <cstring>
 #include <new>
 #include <sstream>
 #include <thread>
@@ -18,37 +22,6 @@
 namespace eikonal::image {
 
 namespace {
-
-/// OpenEXR's way to a std::ostream. It remembers a failure, since the destructor of
-/// Imf::OutputFile, which writes the table of line offsets, swallows exceptions.
-class StreamOutput : public Imf::OStream {
-public:
-    StreamOutput(std::ostream& stream, const std::string& path)
-        : Imf::OStream(path.c_str()), mStream(stream) {}
-
-    void write(const char bytes[], int count) override {
-        mStream.write(bytes, count);
-        mPosition += static_cast<uint64_t>(count);
-        check();
-    }
-    uint64_t tellp() override { return mPosition; }
-    void seekp(uint64_t position) override {
-        mStream.seekp(static_cast<std::streamoff>(position));
-        mPosition = position;
-        check();
-    }
-    bool failed() const { return mFailed; }
-
-private:
-    void check() {
-        if (mStream) return;
-        mFailed = true;
-        throw std::runtime_error("write failed");
-    }
-    std::ostream& mStream;
-    uint64_t mPosition = 0; // the outputs start empty
-    bool mFailed = false;
-};
 
 /// For row vectors: M[i][j] takes input i to output j. GLM's m[column][row] has the same meaning
 /// in the same order, so that the transposed matrix is an element-by-element copy.
@@ -89,19 +62,45 @@ Imf::FrameBuffer frameBufferOf(const Image& image) {
 
 void encode(const Image& image, const ImageAttributes& attributes, std::ostream& stream,
             const std::string& path, int threads) {
-    // The pool is OpenEXR's and the process's own. Blocks are compressed in any order and written
-    // in theirs; 0 means that the caller's thread does the work.
+    // Blocks are compressed in any order and written in theirs.
     if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
-    const int workers = threads > 1 ? threads : 0;
-    if (Imf::globalThreadCount() != workers) Imf::setGlobalThreadCount(workers);
-
+    const ExrWorkers workers(threads);
     StreamOutput output(stream, path);
     {
-        Imf::OutputFile file(output, headerOf(image, attributes), workers);
+        Imf::OutputFile file(output, headerOf(image, attributes), workers.count());
         file.setFrameBuffer(frameBufferOf(image));
         file.writePixels(image.height);
     }
-    if (output.failed()) throw std::runtime_error("write failed");
+    if (output.failed() || !stream.flush()) throw std::runtime_error("write failed");
+}
+
+/// Reads back what was written and compares it bit by bit. OpenEXR does not tell of a block of
+/// lines that it could not compress (for want of memory, say): the file ends before it.
+void verify(const Image& image, Imf::InputFile& file) {
+    const auto incomplete = [](const std::string& what) {
+        return std::runtime_error("was not written whole: " + what);
+    };
+    if (!file.isComplete()) throw incomplete("lines are missing");
+    constexpr int kLines = 16; // a block of ZIP compression
+    const auto width = static_cast<size_t>(image.width);
+    std::vector<float> lines(width * kLines * image.channels.size());
+    for (int y = 0; y < image.height; y += kLines) {
+        const int rows = std::min(kLines, image.height - y);
+        const Imath::Box2i part({0, y}, {image.width - 1, y + rows - 1});
+        const size_t samples = width * static_cast<size_t>(rows);
+        Imf::FrameBuffer planes;
+        for (size_t k = 0; k < image.channels.size(); ++k)
+            planes.insert(image.channels[k],
+                          Imf::Slice::Make(Imf::FLOAT, lines.data() + k * samples, part,
+                                           sizeof(float), sizeof(float) * width));
+        file.setFrameBuffer(planes);
+        file.readPixels(y, y + rows - 1);
+        for (size_t k = 0; k < image.channels.size(); ++k)
+            if (std::memcmp(lines.data() + k * samples,
+                            image.plane(k).data() + width * static_cast<size_t>(y),
+                            samples * sizeof(float)) != 0)
+                throw incomplete("channel '" + image.channels[k] + "' reads back otherwise");
+    }
 }
 
 } // namespace
@@ -111,17 +110,22 @@ void writeExr(const Image& image, const ImageAttributes& attributes, AtomicFile&
     try {
         if (out.seekable()) {
             encode(image, attributes, out.stream(), out.path(), threads);
+            Imf::InputFile file(out.temporaryPath().c_str(), 0);
+            verify(image, file);
         } else {
             std::ostringstream whole;
             encode(image, attributes, whole, out.path(), threads);
             const std::string_view bytes = whole.view();
+            MemoryInput input(bytes, out.path());
+            Imf::InputFile file(input, 0);
+            verify(image, file);
             out.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         }
     } catch (const std::bad_alloc&) {
         throw MemoryError(out.path() + ": not enough memory to write the picture");
     } catch (const std::exception& error) {
         out.finish(); // knows the system's reason, if that is what went wrong
-        throw IoError(out.path() + ": " + error.what());
+        throw IoError(out.path() + ": " + oneLine(error.what()));
     }
     out.finish();
 }

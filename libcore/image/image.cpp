@@ -92,15 +92,6 @@ void checkFinite(const Image& image, const std::string& path) {
                         ", expected a finite number");
 }
 
-void checkRadiance(const Image& image, const std::string& path) {
-    const auto at = std::find_if(image.pixels.begin(), image.pixels.end(),
-                                 [](float sample) { return !std::isfinite(sample) || sample < 0; });
-    if (at == image.pixels.end()) return;
-    throw DataError(path + ": " +
-                    sampleText(image, static_cast<size_t>(at - image.pixels.begin())) +
-                    ", expected a finite radiance of at least 0");
-}
-
 void checkSize(long long width, long long height, size_t channels, const std::string& path) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)

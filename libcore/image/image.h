@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -26,6 +27,9 @@ struct Image {
     std::vector<std::string> channels;
     std::vector<float> pixels;
     Envmap envmap = Envmap::none; ///< set by readers, ignored by writers
+    /// Where the file's R, G, B and white lie in the CIE's x, y, in this order; nothing: Rec. 709.
+    /// Set by readers, ignored by writers.
+    std::optional<std::array<double, 8>> chromaticities;
 
     Image() = default;
     /// No channels yet. Sizes below 1 throw InternalError.
@@ -60,9 +64,13 @@ std::vector<float> interleaved(const Image& image, const std::vector<std::string
 /// output's name for the message.
 void checkFinite(const Image& image, const std::string& path);
 
-/// Throws DataError, naming channel and pixel, if a sample is NaN, infinite or negative: no
-/// radiance is. `path` is the input's name for the message.
-void checkRadiance(const Image& image, const std::string& path);
+/// Makes radiance of what pictures hold. Infinite samples (a sun beyond half floats) become 65504,
+/// the largest half; R, G and B of other chromaticities become Rec. 709's, with Bradford's
+/// adaptation of the white; what is negative then (resized edges, colours out of gamut) becomes 0.
+/// Returns a warning for each that names how many samples and the worst. Throws DataError, naming
+/// channel and pixel, if one is NaN, which means nothing. `path` is the input's name for the
+/// messages.
+std::vector<std::string> makeRadiance(Image& image, const std::string& path);
 
 /// What a picture of this size costs in memory, checked before a reader asks for it. Throws
 /// DataError for sizes below 1 or above 2^17 pixels on a side (no device holds such a texture; a

@@ -3,6 +3,7 @@
 #include "image/input.h"
 
 #include "base/error.h"
+#include "base/input_file.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ void checkReadable(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw MissingError(path + ": is a directory, expected a picture");
+    if (isStream(path)) return; // to open it would take its writer's reader away
     errno = 0;
     if (!std::ifstream(path, std::ios::binary))
         throw MissingError(path + ": can't open: " + std::strerror(errno));

@@ -3,6 +3,7 @@
 #include "image/picture.h"
 
 #include "base/error.h"
+#include "base/input_file.h"
 #include "image/exr.h"
 #include "image/input.h"
 #include "image/picture_module.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 namespace eikonal::image {
@@ -55,12 +57,12 @@ bool appendBytes(void* context, const void* bytes, size_t size) {
     return static_cast<bool>(stream);
 }
 
-Image decodeByModule(const std::string& path) {
+Image decodeByModule(const std::string& opened, const std::string& path) {
     const PictureModule& module = pictureModule();
     Decoding decoding{path, {}, {}, nullptr};
     std::array<char, 512> message{};
     const bool decoded =
-        module.decode(path.c_str(), allocateSamples, &decoding, message.data(), message.size());
+        module.decode(opened.c_str(), allocateSamples, &decoding, message.data(), message.size());
     if (decoding.failure) std::rethrow_exception(decoding.failure);
     if (!decoded) throw DataError(path + ": is no readable picture: " + oneLine(message.data()));
     const size_t channels = decoding.samples.size() / decoding.image.area();
@@ -124,26 +126,43 @@ void writePicture(const Image& linear, AtomicFile& out, const ToneMap& toneMap) 
     if (!encoded) throw IoError(out.path() + ": can't encode: " + oneLine(message.data()));
 }
 
-Image readPicture(const std::string& path) {
+Image readPicture(const std::string& path, const std::string& layer) {
     checkReadable(path);
+    const SeekableInput input(path);
     // By the name too, so that a damaged EXR is called that.
-    if (beginsAsExr(path) || extensionOf(path) == "exr") return readExr(path);
-    return decodeByModule(path);
+    if (beginsAsExr(input.path()) || extensionOf(path) == "exr")
+        return readExr(input.path(), layer, path);
+    if (!layer.empty())
+        throw DataError(path + ": is no OpenEXR file, which alone have layers (found: " + layer +
+                        ")");
+    return decodeByModule(input.path(), path);
 }
 
-Image readEnvironment(const std::string& path) {
-    const Image picture = readPicture(path);
+PictureName parsePictureName(const std::string& text) {
+    std::error_code ignored;
+    const size_t colon = text.rfind(':');
+    if (colon == std::string::npos || colon + 1 == text.size() ||
+        std::filesystem::exists(text, ignored))
+        return {text, ""};
+    return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+Environment readEnvironment(const PictureName& name) {
+    const Image picture = readPicture(name.path, name.layer);
     if (picture.envmap == Envmap::cube)
-        throw DataError(path + ": is a cube map, expected a lat-long map");
+        throw DataError(name.path + ": is a cube map, expected a lat-long map");
     const bool grey = !picture.find("R");
-    Image map(picture.width, picture.height);
+    Environment environment;
+    Image& map = environment.map;
+    map = Image(picture.width, picture.height);
     map.envmap = picture.envmap;
     map.addChannels({"R", "G", "B"},
                     interleaved(picture, grey ? std::vector<std::string>{"Y", "Y", "Y"}
                                               : std::vector<std::string>{"R", "G", "B"}),
                     3);
-    checkRadiance(map, path);
-    return map;
+    if (!grey) map.chromaticities = picture.chromaticities;
+    environment.warnings = makeRadiance(map, name.path);
+    return environment;
 }
 
 } // namespace eikonal::image

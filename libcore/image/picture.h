@@ -54,12 +54,24 @@ void writePicture(const Image& linear, AtomicFile& out, const ToneMap& toneMap);
 
 /// Reads a picture as linear floats: an EXR, known by its first bytes, through readExr(); any other
 /// format through OpenImageIO, with channels Y, Y A, R G B or R G B A, alpha premultiplied, and
-/// sRGB decoded. Throws MissingError if the file or the module is missing, DataError if it
-/// is no picture, MemoryError.
-Image readPicture(const std::string& path);
+/// sRGB decoded. `layer` is an EXR's. Throws MissingError if the file or the module is missing,
+/// DataError if it is no picture, MemoryError.
+Image readPicture(const std::string& path, const std::string& layer = "");
 
-/// Reads an environment map, in any format, as exactly R, G and B (Y is spread), and vouches for
-/// it: checkRadiance() passes and it is no cube map. Throws as readPicture() and checkRadiance().
-Image readEnvironment(const std::string& path);
+/// What FILE:LAYER names; a file that has the whole name comes first.
+struct PictureName {
+    std::string path, layer;
+};
+PictureName parsePictureName(const std::string& text);
+
+/// An environment map, and what was changed to make it one.
+struct Environment {
+    Image map; ///< exactly R, G and B, finite and not negative, in Rec. 709; no cube map
+    std::vector<std::string> warnings;
+};
+
+/// Reads an environment map, in any format; Y is spread. Throws as readPicture() and
+/// makeRadiance().
+Environment readEnvironment(const PictureName& name);
 
 } // namespace eikonal::image

@@ -34,7 +34,7 @@ struct Places {
 /// A picture that goes beside the colour: its channels, and a pixel's values.
 struct Aov {
     const char* name;
-    const char* components; ///< "" for one channel of that name
+    const char* components; ///< "" for Z alone, whose name every reader knows
     dvec3 (*valueOf)(const PixelPath&, const Places&);
 };
 
@@ -47,20 +47,20 @@ constexpr Aov kAovTable[] = {
      }},
     {"transmittance", "RGB",
      [](const PixelPath& path, const Places&) { return dvec3(path.through); }},
-    {"optical_path_length", "",
+    {"optical_path_length", "V",
      [](const PixelPath& path, const Places& places) {
          return dvec3(static_cast<double>(path.place.w) * places.voxelSize);
      }},
-    {"path_length", "",
+    {"path_length", "V",
      [](const PixelPath& path, const Places& places) {
          return dvec3(static_cast<double>(path.direction.w) * places.voxelSize);
      }},
-    {"steps", "", [](const PixelPath& path, const Places&) { return dvec3(path.through.w); }},
+    {"steps", "V", [](const PixelPath& path, const Places&) { return dvec3(path.through.w); }},
     {"Z", "",
      [](const PixelPath& path, const Places& places) {
          return dvec3(glm::dot(places.placeOf(path) - places.eye, places.forward));
      }},
-    {"error", "", [](const PixelPath& path, const Places&) { return dvec3(path.error.x); }},
+    {"error", "V", [](const PixelPath& path, const Places&) { return dvec3(path.error.x); }},
 };
 
 std::vector<std::string> channelsOf(const std::string& name, const std::string& components) {

@@ -7,28 +7,60 @@
 #include "view/rays.h"
 
 #include <algorithm>
+#include <chrono>
 #include <glm/common.hpp>
 
 namespace eikonal::view {
 
 namespace {
 
+/// How many rows a strip has: few enough that each launch, one ray of its every pixel, ends within
+/// about a third of a second, so that progress is told and a desktop on the same device stays
+/// alive. Pixels do not depend on it.
+class StripRows {
+public:
+    explicit StripRows(const Params& params) : mMost(rowsPerStrip(params)) {
+        mRows = wholeGroups((1 << 14) / params.camera.width);
+    }
+    int rows() const { return mRows; }
+
+    /// Learns from a strip of so many rows, whose longest launch took so long.
+    void took(int rows, double milliseconds) {
+        if (rows < mRows) return; // a picture's last rows tell little
+        // Twice as many at most, since the next rows may hold more.
+        mRows = wholeGroups(mRows * std::min(300 / std::max(milliseconds, 1.0), 2.0));
+    }
+
+private:
+    /// The kernel works on groups of eight rows.
+    int wholeGroups(double rows) const {
+        return std::min(std::max(static_cast<int>(rows / 8) * 8, 8), mMost);
+    }
+    int mMost, mRows;
+};
+
 /// All rays of a strip of the picture: every sample of every band.
-void traceStrip(Rays& rays, const std::vector<optics::Band>& bands, int samples, int row,
-                int rows) {
-    bool first = true;
-    for (const optics::Band& band : bands)
-        for (int sample = 0; sample < samples; ++sample) {
-            // The plastic number's powers: any number of rays is spread evenly over the pixel, and
-            // the first goes through its centre.
-            const glm::dvec2 place =
-                glm::fract(0.5 + static_cast<double>(sample) *
-                                     glm::dvec2(0.7548776662466927, 0.5698402909980532));
-            const double share = 1.0 / samples;
-            rays.trace(row, rows, place, first,
-                       vec4(band.weight * share, share / static_cast<double>(bands.size())));
-            first = false;
-        }
+/// `progress` is the strip's part. Returns how long the longest launch took [ms].
+double traceStrip(Rays& rays, const std::vector<optics::Band>& bands, int samples, int row,
+                  int rows, const Progress& progress) {
+    double longest = 0;
+    const auto all = static_cast<int>(bands.size()) * samples;
+    for (int launch = 0; launch < all; ++launch) {
+        const optics::Band& band = bands[static_cast<size_t>(launch / samples)];
+        // The plastic number's powers: any number of rays is spread evenly over the pixel, and the
+        // first goes through its centre.
+        const glm::dvec2 place =
+            glm::fract(0.5 + static_cast<double>(launch % samples) *
+                                 glm::dvec2(0.7548776662466927, 0.5698402909980532));
+        const double share = 1.0 / samples;
+        const auto began = std::chrono::steady_clock::now();
+        rays.trace(row, rows, place, launch == 0,
+                   vec4(band.weight * share, share / static_cast<double>(bands.size())));
+        gpu::finish();
+        longest = std::max(longest, gpu::millisecondsSince(began));
+        report(progress, (launch + 1.0) / all);
+    }
+    return longest;
 }
 
 } // namespace
@@ -44,16 +76,19 @@ image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
     rays.bind();
     picture.bind();
     const int all = params.camera.rows;
-    for (int row = 0; row < all; row += rowsPerStrip(params)) {
-        const int rows = std::min(rowsPerStrip(params), all - row);
+    StripRows strips(params);
+    for (int row = 0, rows = 0; row < all; row += rows) {
+        rows = std::min(strips.rows(), all - row);
         profiler.begin("view");
-        traceStrip(rays, bands, params.samples, row, rows);
+        const double longest = traceStrip(rays, bands, params.samples, row, rows,
+                                          partOf(progress, static_cast<double>(row) / all,
+                                                 static_cast<double>(row + rows) / all));
         profiler.end();
+        strips.took(rows, longest);
         device.check("view");
         profiler.begin("download");
         picture.readStrip(row, rows);
         profiler.end();
-        report(progress, static_cast<double>(row + rows) / all);
     }
     picture.readCounters(plan, params, stats);
     profiler.collect();

@@ -170,8 +170,7 @@ Ends Stage::ends(Bench& bench, const view::Camera& camera, const Setting& settin
     params.aovs = {"exit_position", "exit_direction", "optical_path_length", "error"};
     params.check();
     Stats stats;
-    const image::Image picture =
-        view::render(bench.device, mPlan, params, std::nullopt, stats, {});
+    const image::Image picture = view::render(bench.device, mPlan, params, std::nullopt, stats, {});
     const auto plane = [&](const std::string& name) { return picture.plane(*picture.find(name)); };
     const auto vectors = [&](const std::string& name) {
         const auto x = plane(name + ".X"), y = plane(name + ".Y"), z = plane(name + ".Z");
@@ -182,8 +181,8 @@ Ends Stage::ends(Bench& bench, const view::Camera& camera, const Setting& settin
     Ends ends;
     ends.place = vectors("exit_position");
     ends.direction = vectors("exit_direction");
-    for (const float length : plane("optical_path_length")) ends.optical.push_back(length);
-    for (const float drift : plane("error")) ends.drift.push_back(drift);
+    for (const float length : plane("optical_path_length.V")) ends.optical.push_back(length);
+    for (const float drift : plane("error.V")) ends.drift.push_back(drift);
     ends.viewMs = passMs(stats, "view");
     ends.steps = counter(stats, "steps");
     ends.rays = counter(stats, "rays");

@@ -5,6 +5,10 @@
 #include "base/error.h"
 #include "support/scratch.h"
 
+#include <csignal>
+#include <fcntl.h>
+#include <unistd.h>
+
 using namespace eikonal;
 namespace fs = std::filesystem;
 
@@ -63,6 +67,38 @@ TEST_F(AtomicFileTest, SeeksForWritersThatPatchTheirHeaders) {
     file.stream() << "u";
     file.commit();
     EXPECT_EQ(read("a.txt"), "hullo");
+}
+
+TEST_F(AtomicFileTest, ADescriptorIsWrittenOnFromWhereItStands) {
+    const int file = ::open(at("a.txt").c_str(), O_RDWR | O_CREAT, 0600);
+    ASSERT_EQ(::write(file, "old ", 4), 4);
+    const std::string number = std::to_string(file);
+    fs::create_symlink("/dev/fd/" + number, at("link"));
+    for (const std::string& path : {"/dev/fd/" + number, "/proc/self/fd/" + number, at("link")}) {
+        EXPECT_TRUE(writtenInPlace(path)) << path;
+        AtomicFile out(path);
+        EXPECT_FALSE(out.seekable());
+        out.stream() << "new ";
+        out.commit();
+    }
+    EXPECT_EQ(read("a.txt"), "old new new new ");
+    EXPECT_EQ(files(), 2u);
+    ::close(file);
+    EXPECT_EQ(failure("/dev/fd/" + number), ExitStatus::cantCreate) << "it is closed";
+    EXPECT_FALSE(writtenInPlace(at("a.txt")));
+}
+
+TEST_F(AtomicFileTest, AReaderThatHasGoneIsToldApart) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    EXPECT_FALSE(readerIsGone(ends[1]));
+    ::close(ends[0]);
+    EXPECT_TRUE(readerIsGone(ends[1]));
+    std::signal(SIGPIPE, SIG_IGN);
+    AtomicFile out("/dev/fd/" + std::to_string(ends[1]));
+    out.stream() << "nobody reads this";
+    EXPECT_THROW(out.finish(), ClosedPipe);
+    ::close(ends[1]);
 }
 
 TEST_F(AtomicFileTest, EachFailureHasItsStatus) {

@@ -1,7 +1,7 @@
 // Hard cases of media: optical depths from 1e-8 to 1e3 a voxel, none at all, sharp phase functions.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/shader_lib.h"
 #include "hard.h"
+#include "support/shader_lib.h"
 
 using namespace eikonal;
 using namespace eikonal::hard;
@@ -141,7 +141,7 @@ TEST(HardDepth, SharpLobesKeepTheirHeightInFloat) {
             const double held = static_cast<float>(g), cosine = glm::normalize(way).z;
             const double phase = (1 - held * held) / (4 * kPi) /
                                  std::pow((1 - held) * (1 - held) + 2 * held * (1 - cosine), 1.5);
-            const double depth = 0.001 * look.at("path_length");
+            const double depth = 0.001 * look.at("path_length.V");
             const double wanted = 2 * phase * -std::expm1(-depth);
             // 1 − g is held to 6e-8/1e-4, and counts thrice; a cosine near 1 is held to 6e-8, of a
             // lobe 1 − g² wide: at 0.01 to the side 1e-3 of 5e-5.

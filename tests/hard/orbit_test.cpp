@@ -70,8 +70,8 @@ TEST_P(HardReversal, ARayTurnedRoundComesBack) {
         const double askew =
             1 / slant(d, back.place()) + 1 / slant(there.direction(), there.place());
         // A step's length is counted as n dτ, its way is |w| dτ.
-        const double counted = 40 * (there.at("error") + back.at("error"));
-        EXPECT_NEAR(back.at("path_length"), there.at("path_length"), 1e-3 * askew + counted);
+        const double counted = 40 * (there.at("error.V") + back.at("error.V"));
+        EXPECT_NEAR(back.at("path_length.V"), there.at("path_length.V"), 1e-3 * askew + counted);
     });
 }
 
@@ -97,9 +97,9 @@ TEST_P(HardOrbit, CirclesOfTheFishEyeAreTrappedAndStayCircles) {
                   6 * (std::sqrt(1 + tangent * tangent) + std::abs(tangent)) + 1)
             << centre.z;
         EXPECT_NEAR(place.y, 16, 0.01); // it stays in its plane, one of symmetry
-        EXPECT_GT(look.at("steps", 0, i), 1000);
+        EXPECT_GT(look.at("steps.V", 0, i), 1000);
         EXPECT_EQ(look.at("A", 0, i), 1);
-        EXPECT_GE(look.at("path_length", 0, i), 0.01 * look.at("steps", 0, i));
+        EXPECT_GE(look.at("path_length.V", 0, i), 0.01 * look.at("steps.V", 0, i));
     }
 }
 
@@ -126,7 +126,7 @@ TEST_P(HardStepLimit, AStepLimitIsCountedAndNothingIsLeftOut) {
         params.maxSteps = limit;
         const Look look(fishEye(32, 6).take(), params);
         EXPECT_EQ(look.counter("trapped"), 5);
-        for (int i = 0; i < 5; ++i) EXPECT_EQ(look.at("steps", 0, i), limit);
+        for (int i = 0; i < 5; ++i) EXPECT_EQ(look.at("steps.V", 0, i), limit);
     }
 }
 

@@ -71,7 +71,7 @@ TEST(HardShape, VolumesOfAnyShapeAreSeenAndLitTheirWholeLength) {
                 const double length = size[axis];
                 // Floats of 1000 voxels over 1000 steps; and the steps' n against their |w|.
                 const double tolerance = (bends ? 2e-4 : 1e-5) * length + 1e-3;
-                EXPECT_NEAR(look.at("path_length"), length, tolerance) << axis;
+                EXPECT_NEAR(look.at("path_length.V"), length, tolerance) << axis;
                 expectNear(look.direction(), d, 1e-5);
                 if (!bends) {
                     EXPECT_NEAR(look.at("R"), 1e-3 * length, 1e-3 * tolerance);
@@ -96,7 +96,7 @@ TEST(HardShape, AVolumesUnitDoesNotChangeThePicture) {
         SCOPED_TRACE(h);
         const Look other(sceneVolume(h), viewOf(h));
         expectSame(one, other, 1e-5); // coefficients in 1/voxel, and the camera, round once each
-        EXPECT_NEAR(other.at("path_length", 3, 4) / h, one.at("path_length", 3, 4), 1e-4);
+        EXPECT_NEAR(other.at("path_length.V", 3, 4) / h, one.at("path_length.V", 3, 4), 1e-4);
         const lightsim::Lit small(sceneVolume(1), lightsim::paramsOf({lightsim::beam({1, -2, 1})}));
         const lightsim::Lit lit(sceneVolume(h), lightsim::paramsOf({lightsim::beam({1, -2, 1})}));
         forEachVoxel(ivec3(12), [&](ivec3 p) {
@@ -143,7 +143,7 @@ RC_GTEST_PROP(HardShape, ATurnedVolumeSeenByATurnedCameraLooksTheSame, ()) {
         for (int x = 0; x < 8; ++x) {
             expectNear(turned.direction(x, y), dmat3(placed) * still.direction(x, y), 1e-4);
             const dvec3 place(placed * glm::dvec4(still.place(x, y) * h, 1));
-            if (still.at("path_length", x, y) > 0)
+            if (still.at("path_length.V", x, y) > 0)
                 expectNear(turned.place(x, y) / h, place / h, 1e-3); // as above, of 12 voxels
         }
 }

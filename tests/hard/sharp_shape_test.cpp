@@ -259,7 +259,7 @@ TEST(HardSharpShape, LongAndThinDomains) {
             const Look look(Bodies{.all = {wall(middle, normal, 60)}, .size = size}.volume(),
                             alongTo(d, middle, 0.1, {3, 3}));
             expectSkyButForDropped(look);
-            EXPECT_LT(look.at("path_length", 1, 1), 1.02 * glm::length(dvec3(size)));
+            EXPECT_LT(look.at("path_length.V", 1, 1), 1.02 * glm::length(dvec3(size)));
         }
 }
 
@@ -291,7 +291,8 @@ TEST(HardSharpShape, RaysSentBackArriveWhereTheyCameFrom) {
                 // Floats of a place are 2e-6 voxels, turned by a few tenths of a radian a voxel.
                 EXPECT_LT(radiansBetween(back.direction(), -in), 2e-5);
                 EXPECT_LT(glm::length(glm::cross(back.place() - start, in)), 1e-3);
-                EXPECT_NEAR(back.at("optical_path_length"), there.at("optical_path_length"), 1e-2);
+                EXPECT_NEAR(back.at("optical_path_length.V"), there.at("optical_path_length.V"),
+                            1e-2);
                 EXPECT_NEAR(back.at("transmittance.R"), there.at("transmittance.R"), 1e-4);
             }
 }

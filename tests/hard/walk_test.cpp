@@ -40,8 +40,8 @@ void expectChord(const dvec3& eye, const dvec3& d) {
     const Look look(glow(), parallel(eye, eye + d, 1e-3, {1, 1}, across(d)));
     const double length = chord(eye, d);
     // Floats of 8 voxels over a dozen steps; a ray is thought to have left 1e-3 of a step early.
-    EXPECT_NEAR(look.at("path_length"), length, 1e-5 * kSize + 1e-3);
-    EXPECT_NEAR(look.at("R"), 0.25 * look.at("path_length"), 1e-5);
+    EXPECT_NEAR(look.at("path_length.V"), length, 1e-5 * kSize + 1e-3);
+    EXPECT_NEAR(look.at("R"), 0.25 * look.at("path_length.V"), 1e-5);
     EXPECT_EQ(look.counter("trapped"), 0);
 }
 
@@ -94,15 +94,15 @@ RC_GTEST_PROP(HardWalk, AnyRayHasTheLengthOfItsChord, ()) {
         for (int x = 0; x < 16; ++x) {
             // The direction as written: of 2e-7 off at 1e5 voxels, 0.02 voxels at the box.
             const dvec3 d = look.direction(x, y), place = look.place(x, y);
-            if (look.at("path_length", x, y) == 0) continue;
+            if (look.at("path_length.V", x, y) == 0) continue;
             ++met;
             const bool inside =
                 chord(eye, d) > 0 && glm::all(glm::lessThan(glm::abs(eye - 4.0), dvec3(4)));
             // Back from where it left, whose floats are of the box, to the eye or the box's face.
             const double back = chord(place, -d);
             const double length = inside ? std::min(back, glm::length(place - eye)) : back;
-            RC_ASSERT(std::abs(look.at("path_length", x, y) - length) < 2e-3);
-            RC_ASSERT(std::abs(look.at("R", x, y) - 0.25 * look.at("path_length", x, y)) < 2e-5);
+            RC_ASSERT(std::abs(look.at("path_length.V", x, y) - length) < 2e-3);
+            RC_ASSERT(std::abs(look.at("R", x, y) - 0.25 * look.at("path_length.V", x, y)) < 2e-5);
         }
     RC_ASSERT(met > 0);
 }

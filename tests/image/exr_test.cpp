@@ -35,10 +35,10 @@ const std::vector<std::string> kRenderChannels = {"R",
                                                   "exit_position.Y",
                                                   "exit_position.Z",
                                                   "transmittance.R",
-                                                  "optical_path_length",
-                                                  "steps",
+                                                  "optical_path_length.V",
+                                                  "steps.V",
                                                   "Z",
-                                                  "error"};
+                                                  "error.V"};
 
 ImageAttributes attributesOf() {
     ImageAttributes attributes;
@@ -83,7 +83,7 @@ TEST_F(ExrTest, HeaderTellsCameraColourAndHistory) {
     Imf::InputFile file(at("a.exr").c_str());
     const Imf::Header& header = file.header();
     EXPECT_EQ(header.compression(), Imf::ZIP_COMPRESSION);
-    EXPECT_EQ(header.channels()["steps"].type, Imf::FLOAT);
+    EXPECT_EQ(header.channels()["steps.V"].type, Imf::FLOAT);
 
     ASSERT_TRUE(Imf::hasChromaticities(header));
     const Imf::Chromaticities& primaries = Imf::chromaticities(header);

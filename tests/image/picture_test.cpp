@@ -143,7 +143,7 @@ TEST_F(PictureTest, AlphaIsPremultipliedAgainOnTheWayIn) {
 
 TEST_F(PictureTest, JpegIsWrittenWithoutAlpha) {
     write("a.jpg", greys(std::vector<float>(64, 0.5f)), {.alpha = true});
-    const Image back = readEnvironment(at("a.jpg"));
+    const Image back = readEnvironment({at("a.jpg"), ""}).map;
     ASSERT_EQ(back.channels.size(), 3u);
     // 0.01: one step of 8 bits, which is what JPEG may be off for an even grey.
     EXPECT_NEAR(back.plane(1)[10], 0.5, 0.01);
@@ -154,7 +154,7 @@ TEST_F(PictureTest, RadianceHdrIsLinear) {
     putBytes("a.hdr",
              std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n") + "\x20\x10\x80\x82");
     // 1 %: the format's 8-bit mantissa, half a step added or not, as readers differ.
-    const Image back = readEnvironment(at("a.hdr"));
+    const Image back = readEnvironment({at("a.hdr"), ""}).map;
     EXPECT_NEAR(back.plane(0)[0], 0.5, 0.02);
     EXPECT_NEAR(back.plane(1)[0], 0.25, 0.02);
     EXPECT_NEAR(back.plane(2)[0], 2, 0.02);

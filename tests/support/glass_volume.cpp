@@ -155,7 +155,8 @@ Off offOf(const view::Look& look, const view::Params& params, const judge::Glass
         for (int x = 0; x < look.picture.width; ++x) {
             const judge::Ray ray = rayOf(params, x, y);
             if (!counts(ray)) continue;
-            const judge::Exit wanted = judge::exitOf(glass, ray, dvec3(0), dvec3(look.plan.scene.size()));
+            const judge::Exit wanted =
+                judge::exitOf(glass, ray, dvec3(0), dvec3(look.plan.scene.size()));
             const double degrees = degreesBetween(look.direction(x, y), wanted.direction);
             if (!(degrees <= off.degrees)) off.degrees = degrees, off.worst = ray;
             // Across: where a ray leaves a face at a slant it says more of the slant than of the
@@ -163,8 +164,8 @@ Off offOf(const view::Look& look, const view::Params& params, const judge::Glass
             const dvec3 apart = look.place(x, y) - wanted.x;
             const dvec3 across = apart - glm::dot(apart, wanted.direction) * wanted.direction;
             off.place = std::max(off.place, glm::length(across));
-            off.optical = std::max(
-                off.optical, std::abs(look.at("optical_path_length", x, y) - wanted.opticalLength));
+            off.optical = std::max(off.optical, std::abs(look.at("optical_path_length.V", x, y) -
+                                                         wanted.opticalLength));
             ++off.rays;
         }
     return off;

@@ -79,11 +79,26 @@ dies_by() {
     nothing_left
 }
 
-# pipe_breaks COMMAND...: it ends with 74 when its reader goes after some bytes.
+# pipe_breaks COMMAND...: when its reader goes after some bytes, it ends as SIGPIPE does, quietly.
 pipe_breaks() {
     "$@" 2>stderr | head -c 10 >/dev/null
     local status=${PIPESTATUS[0]}
-    [ "$status" -eq 74 ] || fail "'$*' gave $status into a closed pipe, expected 74"
+    [ "$status" -eq 141 ] || fail "'$*' gave $status into a closed pipe, expected 141"
+    [ -s stderr ] && fail "'$*' talks about a closed pipe"
+}
+
+# help_is_cut: so does a help or a plan that nobody reads to its end.
+help_is_cut() {
+    local status=0
+    "$tool" --help 2>stderr | true
+    status=${PIPESTATUS[0]}
+    # The help may fit the pipe before its reader goes.
+    [ "$status" -eq 141 ] || [ "$status" -eq 0 ] || fail "--help gave $status into a closed pipe"
+    [ -s stderr ] && fail "--help talks about a closed pipe"
+    { sleep 0.3; exec "$tool" --help; } 2>stderr | true
+    status=${PIPESTATUS[0]}
+    [ "$status" -eq 141 ] || fail "--help gave $status into a closed pipe, expected 141"
+    [ -s stderr ] && fail "--help talks about a closed pipe"
 }
 
 # run_tests: all of the script's, and the exit status.

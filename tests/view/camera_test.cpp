@@ -220,9 +220,9 @@ TEST(ViewCamera, ARayThatMissesKeepsItsOriginAndDirection) {
                 const dvec3 start = ortho ? eye + dvec3((x - 1) * step, (1 - y) * step, 0) : eye;
                 expectNear(look.place(x, y), start, 1e-5); // floats of a hundred
                 if (ortho) expectNear(look.direction(x, y), {0, 0, -1}, 1e-6);
-                for (const char* name : {"path_length", "optical_path_length", "steps", "A"})
+                for (const char* name : {"path_length.V", "optical_path_length.V", "steps.V", "A"})
                     EXPECT_EQ(look.at(name, x, y), 0) << name;
-                EXPECT_NEAR(look.at("error", x, y), 0, 1e-6);   // a direction's length, in floats
+                EXPECT_NEAR(look.at("error.V", x, y), 0, 1e-6); // a direction's length, in floats
                 expectNear(look.colour(x, y), {1, 2, 3}, 1e-6); // n² / n², as above
             }
     }

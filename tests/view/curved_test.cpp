@@ -89,7 +89,7 @@ TEST(ViewCurved, AGradedRodSwingsRaysAboutItsAxis) {
             expectNear(look.place(x, y), wanted.place, 3e-4);
             expectNear(look.direction(x, y), wanted.direction, 3e-5);
             // The drift of |w| from n: n is read between voxels, where it is off by n''/8.
-            EXPECT_LT(look.at("error", x, y), 1e-3);
+            EXPECT_LT(look.at("error.V", x, y), 1e-3);
             EXPECT_EQ(look.at("A", x, y), x == 8 && y == 8 ? 0 : 1);
         }
 }
@@ -190,8 +190,8 @@ TEST(ViewCurved, LightIsGatheredAlongTheCurve) {
         light += 0.1 / n * tau / kParts;
     }
     // Midpoints of a quarter voxel, n read between voxels of curvature 1e-4: 2e-5 of it.
-    EXPECT_NEAR(look.at("path_length"), length, 1e-4 * length);
-    EXPECT_NEAR(look.at("optical_path_length"), optical, 1e-4 * optical);
+    EXPECT_NEAR(look.at("path_length.V"), length, 1e-4 * length);
+    EXPECT_NEAR(look.at("optical_path_length.V"), optical, 1e-4 * optical);
     EXPECT_NEAR(look.at("R"), light, 1e-4 * light);
 }
 
@@ -202,7 +202,7 @@ TEST(ViewCurved, RaysOutOfStepsAreCounted) {
     const Look look(rod(), params);
     EXPECT_EQ(look.counter("rays"), 17 * 17);
     EXPECT_EQ(look.counter("trapped"), 17 * 17);
-    EXPECT_EQ(look.at("steps", 3, 3), 5);
+    EXPECT_EQ(look.at("steps.V", 3, 3), 5);
     EXPECT_EQ(look.at("A", 3, 3), 1);
     EXPECT_NEAR(look.at("R", 3, 3), 1, 1e-6); // what it would see going on: n²/n²
     const Look free(rod(), alongRod(1, Integrator::verlet));

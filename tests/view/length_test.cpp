@@ -81,7 +81,7 @@ double worstOf(const Mode& mode) {
             const dvec3 exit(channel("exit_position.X", i), channel("exit_position.Y", i),
                              channel("exit_position.Z", i));
             const double wanted = n * glm::distance(exit, entryOf(eye, direction));
-            worst = std::max(worst, std::abs(channel("optical_path_length", i) / wanted - 1));
+            worst = std::max(worst, std::abs(channel("optical_path_length.V", i) / wanted - 1));
         }
     }
     return worst;

@@ -51,8 +51,8 @@ TEST(ViewLight, EmissionAddsUpAlongTheChord) {
         forEachChord(look, [&](int x, int y, double chord) {
             // Some twenty steps in floats.
             expectNear(look.colour(x, y) / epsilon, dvec3(chord), 1e-5 * 14);
-            EXPECT_NEAR(look.at("path_length", x, y), chord, 1e-4);
-            EXPECT_NEAR(look.at("optical_path_length", x, y), chord, 1e-4);
+            EXPECT_NEAR(look.at("path_length.V", x, y), chord, 1e-4);
+            EXPECT_NEAR(look.at("optical_path_length.V", x, y), chord, 1e-4);
             EXPECT_EQ(look.at("A", x, y), 1);
             ++met;
         });
@@ -119,7 +119,7 @@ TEST(ViewLight, ScatteringPrefersTheLightsDirection) {
                 const dvec3 d = glm::normalize(from);
                 const dvec3 up = d.y == 0 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
                 const Look look(scene(emits), parallel(4.0 + 30.0 * d, dvec3(4), 1, {1, 1}, up));
-                const double chord = look.at("path_length");
+                const double chord = look.at("path_length.V");
                 EXPECT_NEAR(chord, 8 / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}),
                             1e-4); // floats
                 const double depth = 0.1 * chord;
@@ -142,9 +142,9 @@ TEST(ViewLight, RadianceOverIndexSquaredIsConserved) {
     Params params = parallel({8, 8, 40}, dvec3(8), 1);
     params.background = dvec3(4);
     const Look outside(scene(), params);
-    EXPECT_NEAR(outside.at("R"), 1.6 / 2.25 + 4, 1e-5);             // floats
-    EXPECT_NEAR(outside.at("optical_path_length"), 1.5 * 16, 1e-4); // as above
-    EXPECT_NEAR(outside.at("path_length"), 16, 1e-4);               // as above
+    EXPECT_NEAR(outside.at("R"), 1.6 / 2.25 + 4, 1e-5);               // floats
+    EXPECT_NEAR(outside.at("optical_path_length.V"), 1.5 * 16, 1e-4); // as above
+    EXPECT_NEAR(outside.at("path_length.V"), 16, 1e-4);               // as above
     // From inside it, the glass as it is and the sky brighter by n².
     params.camera.eye = {8, 8, 12};
     const Look inside(scene(), params);

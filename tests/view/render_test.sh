@@ -9,6 +9,7 @@ view="$aim --fov 30 --size 16x12"
 test_help() {
     expect 0 render --help
     prints 'IN.vdb'
+    help_is_cut
     expect 0 render --version
     prints '^render [0-9]'
 }
@@ -70,6 +71,85 @@ test_bad_usage() {
     refuses 65 in.vdb $view -o out.exr --env in.vdb
     refuses 64 in.vdb $view -o out.exr -o out.exr
     refuses 64 - - $view -o out.exr
+}
+
+test_what_is_missing_is_told_at_once() {
+    refuses 64
+    says 'not given: --output, IN.vdb, --eye, --target, --size, --fov or --ortho'
+    refuses 64 in.vdb --eye 0,0,5 --fov 30 -o out.exr
+    says 'not given: --target, --size '
+    refuses 64 in.vdb $aim --fov 30 --sise 16x12 -o out.exr
+    says '--sise (did you mean --size?)'
+    refuses 64 in.vdb $view -o out.exr --env-rot=30 --interpolaton cubic
+    says '--env-rot (did you mean --env-rotate?), --interpolaton (did you mean --interpolation?)'
+    refuses 64 in.vdb $view -o out.exr --frobnicate
+    says 'no such option: --frobnicate'
+    grep -q 'did you mean' stderr && fail "it suggests what is not alike"
+    printf 'ey=0,0,5\n' >typo.ini
+    refuses 64 in.vdb $view -o out.exr --config typo.ini
+    says "typo.ini: no option 'ey' (did you mean eye?)"
+}
+
+test_config() {
+    expect 0 render in.vdb $view --background 0.1,0.2,0.3 -o first.exr
+    local line
+    for line in 'eye=0,0,5' 'eye = 0, 0, 5  # from afar' 'eye="0,0,5"' 'eye=[0,0,5]' "eye='0,0,5'"; do
+        printf '# a view\n%s\ntarget=0,0,0\nfov=30\nsize=16x12\nbackground=0.1,0.2,0.3\n' "$line" >view.ini
+        expect 0 render in.vdb --config view.ini -o out.exr
+        idiff -q first.exr out.exr >/dev/null || fail "'$line' is another view"
+    done
+    rm -f first.exr out.exr
+}
+
+test_what_the_shell_makes_of_files() {
+    render in.vdb $view --env env.exr -o first.exr || fail "the picture fails"
+    cp first.exr wanted.exr
+    # Pipes and redirections under the names that shells give them.
+    local path
+    for path in /dev/stdout /dev/fd/1 /proc/self/fd/1; do
+        render in.vdb $view --env env.exr -o $path 2>stderr | cat >got.exr
+        idiff -q wanted.exr got.exr >/dev/null || fail "$path into a pipe gives no such picture"
+        render in.vdb $view --env env.exr -o $path >got.exr 2>stderr
+        idiff -q wanted.exr got.exr >/dev/null || fail "$path into a file gives no such picture"
+        # What is there already stays before it.
+        { echo before; render in.vdb $view --env env.exr -o $path; } >got.exr 2>stderr
+        [ "$(head -c 6 got.exr)" = before ] || fail "$path writes over what was there"
+    done
+    render in.vdb $view --env env.exr -o >(cat >got.exr) 2>stderr || fail "-o >(command) fails"
+    for _ in $(seq 100); do
+        idiff -q wanted.exr got.exr >/dev/null 2>&1 && break
+        sleep 0.05
+    done
+    idiff -q wanted.exr got.exr >/dev/null || fail "-o >(command) gives no such picture"
+    for path in env.exr env.png; do
+        render in.vdb $view --env $path -o wanted.exr
+        render in.vdb $view --env <(cat $path) -o got.exr 2>stderr || fail "--env <(cat $path) fails"
+        idiff -q wanted.exr got.exr >/dev/null || fail "--env <(cat $path) is another map"
+        render in.vdb $view --env - -o got.exr <$path 2>stderr || fail "--env - fails"
+        idiff -q wanted.exr got.exr >/dev/null || fail "--env - is another map"
+    done
+    rm -f first.exr wanted.exr got.exr
+    refuses 65 in.vdb $view --env <(echo nonsense) -o out.exr
+    refuses 73 in.vdb $view -o /dev/fd/99
+    refuses 73 in.vdb $view -o /dev/stdin </dev/null
+}
+
+test_environments() {
+    oiiotool env.exr --ch R=R,G=G,B=B --chnames sky.R,sky.G,sky.B -o layer.exr
+    expect 0 render in.vdb $view --env env.exr -o first.exr
+    expect 0 render in.vdb $view --env layer.exr -o out.exr
+    idiff -q first.exr out.exr >/dev/null || fail "the only layer is another map"
+    expect 0 render in.vdb $view --env layer.exr:sky -o out.exr
+    rm out.exr
+    refuses 65 in.vdb $view --env layer.exr:sun -o out.exr
+    says "no layer or part 'sun'"
+    oiiotool env.exr --addc -1 -o dark.exr
+    expect 0 render in.vdb $view --env dark.exr -o out.exr
+    says 'warning: dark.exr: 1536 negative samples are taken as 0'
+    rm out.exr
+    # A run that fails does not speak of it.
+    refuses 74 in.vdb $view --env dark.exr -o /dev/full
+    rm -f first.exr
 }
 
 test_output_is_input() {
@@ -255,8 +335,8 @@ test_header_and_channels() {
     local text
     for text in '16 x *12, 2[0-9] channel, float openexr' 'eikonal:tool: "render"' \
         '^render in.vdb .*--aov all' worldtocamera: worldtoNDC: 'chromaticities: 0.64, 0.33' \
-        'exit_position.X' 'exit_direction.Z' 'transmittance.G' 'optical_path_length' \
-        'path_length' 'steps' 'Z' 'error' 'AR, AG, AB\|AB'; do
+        'exit_position.X' 'exit_direction.Z' 'transmittance.G' ' optical_path_length.V' \
+        ' path_length.V' ' steps.V' ' Z[ ,(]' ' error.V' 'AR, AG, AB\|AB'; do
         grep -qi -e "$text" info || fail "'$text' is not in the header: $(cat info)"
     done
     grep -qi 'datetime\|capdate' info && fail "the header holds a date"
@@ -287,6 +367,12 @@ test_progress() {
     expect 0 render in.vdb $view -o out.exr --progress json
     jq -es 'all(.tool == "render") and (.[-1].progress == 1)' stderr >/dev/null ||
         fail "progress is no JSON, or does not end at 1"
+    expect 0 render in.vdb $view -o out.exr --progress text
+    says '^render: 100% 0:0[0-9] taken$'
+    # Longer runs tell every second how long it will take, well before their half.
+    expect 0 render in.vdb $aim --fov 10 --size 400x300 --step 0.02 --samples 2 -o out.exr --progress text
+    grep -qE '^render: [1-4]?[0-9]% [0-9:]+ left$' stderr || fail "no time left is told"
+    [ "$(wc -l <stderr)" -le 40 ] || fail "it talks more than once a second"
     expect 0 render in.vdb $view -o out.exr --quiet
     [ ! -s stderr ] || fail "--quiet talks"
     [ ! -s stdout ] || fail "it wrote to standard output"
@@ -319,4 +405,5 @@ test_signal_leaves_nothing() {
 make_volume in.vdb size=16 voxel=0.1 ior sphere:0.5:1.5:1:all absorption sphere:0.5:1,2,3:0 ||
     exit 2
 oiiotool --pattern constant:color=0.5,0.4,0.3 32x16 3 -d float -o env.exr || exit 2
+oiiotool env.exr -d uint8 -o env.png || exit 2
 run_tests

@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/session.h"
 
+#include "base/last_line.h"
+#include "base/resources.h"
+#include "base/standard_error.h"
 #include "base/text.h"
+#include "common/command_line.h"
+#include "common/stats_json.h"
 #include "gpu/device.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <thread>
 #include <unistd.h>
@@ -31,11 +33,6 @@ double nowMs() {
 std::filesystem::path wholePath(const std::string& path) {
     std::error_code ignored;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-}
-
-std::string firstLine(const std::string& text) {
-    const std::string line = split(text, '\n').front();
-    return line.empty() ? "unknown error" : line;
 }
 
 bool asksFor(const std::vector<std::string>& arguments, const std::string& option,
@@ -59,18 +56,18 @@ void printDevices() {
                   << devices[i].version << (devices[i].software ? ", software" : "") << ")\n";
 }
 
-nlohmann::ordered_json rgb(const Energy::Rgb& value) {
-    return nlohmann::ordered_json::array({value[0], value[1], value[2]});
+/// Libraries start threads before main, which may fail; the loader calls this first of all.
+void beforeLibraries(int, char** argv, char**) {
+    const char* const slash = std::strrchr(argv[0], '/');
+    endExceptionsInOneLine(slash == nullptr ? argv[0] : slash + 1);
 }
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const callBeforeLibraries)(int, char**, char**) = beforeLibraries;
 
 } // namespace
 
-struct Session::ThreadLimit {
-    tbb::global_control control;
-};
-
 Session::Session(const std::string& name, const std::string& description)
-    : mName(name), mApp(description, name) {
+    : mName(name), mApp(description, name), mProgress(name, "none") {
     mBegan = nowMs();
     mApp.get_formatter()->column_width(34);
     mApp.set_version_flag("--version", name + " " + EIKONAL_VERSION, "print the version and stop");
@@ -115,44 +112,43 @@ Session::Session(const std::string& name, const std::string& description)
             ->type_name("FILE")
             ->group("Run");
     mApp.allow_config_extras(CLI::config_extras_mode::error);
+    acceptPlainLists(mApp);
 }
 
 Session::~Session() = default;
 
 int Session::run(int argc, char** argv, const std::function<void(Session&)>& work) {
+    endInOneLine(mName.c_str());
     removeTemporariesOnSignals();
+    saveAddressSpace();
     mArguments.assign(argv, argv + argc);
-    int parsed = -1; // the status of --help and --version, which end the run
+    if (!asksFor(mArguments, "--verbose", "")) keepStandardError();
     const int status = guarded([&] {
-        if (asksFor(mArguments, "--device", "list")) {
-            printDevices();
-            parsed = 0;
-            return;
-        }
+        if (asksFor(mArguments, "--device", "list")) return printDevices();
         if (!asksFor(mArguments, "--explain", "")) mOutputOption->required();
-        try {
-            mApp.parse(argc, argv);
-        } catch (const CLI::FileError& error) {
-            throw MissingError(firstLine(error.what()));
-        } catch (const CLI::ParseError& error) {
-            if (error.get_exit_code() != 0) throw UsageError(firstLine(error.what()));
-            parsed = mApp.exit(error);
-            return;
-        }
-        mThreadLimit.reset(new ThreadLimit{
-            tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                mThreads > 0 ? static_cast<size_t>(mThreads)
-                                             : std::max(1u, std::thread::hardware_concurrency()))});
+        if (!parseCommandLine(mApp, argc, argv, mAlternatives)) return;
+        shareThreads();
         work(*this);
         if (!mExplain) finish();
     });
-    if (mBarDrawn) std::fputc('\n', stderr);
-    if (status == 0 && !std::cout.flush()) {
-        std::cerr << mName << ": error: standard output: write failed\n";
-        return static_cast<int>(ExitStatus::io);
+    endOrderly(status);
+    return status;
+}
+
+void Session::shareThreads() {
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    int threads = mThreads > 0 ? mThreads : cores;
+    // TBB's beside the caller's, a software device's two pools and its cache's one, OpenEXR's.
+    const auto needed = [](int n) { return n - 1 + 2 * std::min(n, 16) + 1 + n; };
+    const int granted = startableThreads(needed(threads));
+    if (granted < needed(threads)) {
+        while (threads > 1 && needed(threads) > granted) --threads;
+        mThreads = threads;
     }
-    if (status == 0) printRemarks();
-    return status != 0 ? status : std::max(parsed, 0);
+    // For good: TBB would start its threads anew when the limit goes.
+    static const auto* const limit = new tbb::global_control(
+        tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+    static_cast<void>(limit);
 }
 
 void Session::acceptOldName(CLI::Option* option, const std::string& oldName,
@@ -172,23 +168,25 @@ void Session::acceptOldName(CLI::Option* option, const std::string& oldName,
 }
 
 int Session::guarded(const std::function<void()>& body) {
-    const auto fail = [this](ExitStatus status, const std::string& message) {
-        if (mBarDrawn) std::fputc('\n', stderr);
-        mBarDrawn = false;
-        std::string line = message;
-        std::replace(line.begin(), line.end(), '\n', ' ');
-        std::cerr << mName << ": error: " << line << std::endl;
-        return static_cast<int>(status);
-    };
     try {
         body();
+        if (!std::cout.flush()) {
+            if (readerIsGone(STDOUT_FILENO)) throw ClosedPipe("standard output");
+            throw IoError("standard output: write failed");
+        }
+        mProgress.end();
+        printRemarks();
         return 0;
-    } catch (const Error& error) {
-        return fail(error.status(), error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(ExitStatus::memory, "not enough memory on the host");
-    } catch (const std::exception& error) {
-        return fail(ExitStatus::internal, error.what());
+    } catch (const ClosedPipe&) {
+        dropOutputs();
+        endByClosedPipe();
+    } catch (const std::exception& thrown) {
+        const Error error = meaningOf(thrown);
+        std::string line = mName + ": error: " + error.what();
+        std::replace(line.begin(), line.end(), '\n', ' ');
+        mProgress.end();
+        tell(line + "\n");
+        return static_cast<int>(error.status());
     }
 }
 
@@ -234,6 +232,12 @@ std::vector<std::unique_ptr<AtomicFile>>& Session::outputs() {
     return mOutputs;
 }
 
+void Session::dropOutputs() {
+    mOutputs.clear();
+    mExtraOutputs.clear();
+    mStatsFile.reset();
+}
+
 AtomicFile& Session::extraOutput(const std::string& path) {
     mExtraOutputs.push_back(std::make_unique<AtomicFile>(path, mNoClobber));
     return *mExtraOutputs.back();
@@ -257,33 +261,14 @@ void Session::pass(const std::string& name, const std::function<void()>& work) {
 }
 
 Progress Session::progress() {
-    if (mProgressMode == "none" || (mProgressMode.empty() && (mQuiet || !isatty(STDERR_FILENO))))
+    if (mProgressMode == "none" || (mProgressMode.empty() && (mQuiet || !tellsTerminal())))
         return {};
-    return [this](double fraction) {
-        const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100 + 1e-9);
-        if (percent <= mLastPercent) return;
-        const bool bar =
-            (mProgressMode.empty() || mProgressMode == "text") && isatty(STDERR_FILENO);
-        if (mProgressMode == "alf") {
-            std::fprintf(stderr, "ALF_PROGRESS %d%%\n", percent);
-        } else if (mProgressMode == "openjd") {
-            std::fprintf(stderr, "openjd_progress: %d\n", percent);
-        } else if (mProgressMode == "json") {
-            std::fprintf(stderr, "{\"tool\":\"%s\",\"progress\":%.2f}\n", mName.c_str(),
-                         percent / 100.0);
-        } else if (bar) {
-            const std::string full(static_cast<size_t>(percent / 2), '#');
-            std::fprintf(stderr, "\r%s [%-50s] %3d%%", mName.c_str(), full.c_str(), percent);
-            mBarDrawn = true;
-        } else if (percent / 10 > mLastPercent / 10 || mLastPercent < 0) {
-            std::fprintf(stderr, "%s: %d%%\n", mName.c_str(), percent);
-        }
-        mLastPercent = percent;
-    };
+    mProgress = ProgressLine(mName, mProgressMode);
+    return [this](double fraction) { mProgress(fraction); };
 }
 
 void Session::say(const std::string& line) const {
-    if (mVerbose) std::cerr << mName << ": " << line << "\n";
+    if (mVerbose) tell(mName + ": " + line + "\n");
 }
 
 void Session::note(const std::string& line) {
@@ -297,7 +282,7 @@ void Session::warn(const std::string& line) {
 
 void Session::printRemarks() const {
     if (mQuiet) return;
-    for (const std::string& line : mRemarks) std::cerr << mName << ": " << line << "\n";
+    for (const std::string& line : mRemarks) tell(mName + ": " + line + "\n");
 }
 
 History Session::history() const {
@@ -305,56 +290,15 @@ History Session::history() const {
 }
 
 void Session::finish() {
-    if (mStatsFile) mStatsFile->stream() << statsText();
+    if (mStatsFile)
+        mStatsFile->stream() << statsText(mStats, history(), mDevice ? &mDevice->info() : nullptr,
+                                          nowMs() - mBegan);
     std::vector<AtomicFile*> files;
     for (const auto& file : mOutputs) files.push_back(file.get());
     for (const auto& file : mExtraOutputs) files.push_back(file.get());
     if (mStatsFile) files.push_back(mStatsFile.get());
     for (AtomicFile* file : files) file->finish();
     for (AtomicFile* file : files) file->commit();
-}
-
-std::string Session::statsText() const {
-    using Json = nlohmann::ordered_json;
-    Json json;
-    json["tool"] = mName;
-    json["version"] = EIKONAL_VERSION;
-    json["command"] = commandLine(mArguments);
-    if (mDevice) {
-        const gpu::DeviceInfo& info = mDevice->info();
-        json["device"] = {{"vendor", info.vendor},
-                          {"renderer", info.renderer},
-                          {"version", info.version},
-                          {"software", info.software}};
-    } else {
-        json["device"] = nullptr;
-    }
-    json["effects"] = Json::object();
-    for (const Effect& effect : mStats.effects)
-        json["effects"][effect.name] = {{"on", effect.on}, {"why", effect.why}};
-    json["passes"] = Json::array();
-    for (const PassTime& pass : mStats.passes)
-        json["passes"].push_back(
-            {{"name", pass.name}, {"gpu_ms", pass.gpuMs}, {"cpu_ms", pass.cpuMs}});
-    json["counters"] = Json::object();
-    for (const auto& [name, value] : mStats.counters)
-        if (value == std::floor(value))
-            json["counters"][name] = static_cast<std::uint64_t>(value);
-        else
-            json["counters"][name] = value;
-    if (mStats.hasEnergy) {
-        const Energy& energy = mStats.energy;
-        json["energy"] = {{"emitted", rgb(energy.emitted)},   {"entered", rgb(energy.entered)},
-                          {"absorbed", rgb(energy.absorbed)}, {"scattered", rgb(energy.scattered)},
-                          {"escaped", rgb(energy.escaped)},   {"lost", rgb(energy.lost)}};
-    }
-    if (!mStats.warnings.empty()) json["warnings"] = mStats.warnings;
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    json["memory"] = {{"gpu_peak_bytes", mStats.gpuPeakBytes},
-                      {"rss_peak_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024}};
-    json["wall_ms"] = nowMs() - mBegan;
-    return json.dump(2) + "\n";
 }
 
 void addGridNames(CLI::App& app, std::map<std::string, std::string>& names,

@@ -7,6 +7,7 @@
 #include "base/history.h"
 #include "base/progress.h"
 #include "base/stats.h"
+#include "common/progress_line.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -34,9 +35,13 @@ public:
     CLI::App& app() { return mApp; }
 
     /// Parses the command line, does `work`, and returns the exit status. Every error becomes one
-    /// line on standard error, the only one but for --verbose and --progress; no output is left
-    /// unless all went well.
+    /// line on standard error, the only one but for --verbose and --progress, whatever libraries
+    /// write there; no output is left unless all went well. Where the reader of a pipe has gone, it
+    /// ends the process as SIGPIPE does.
     int run(int argc, char** argv, const std::function<void(Session&)>& work);
+
+    /// One of these options must be given: named with the others where several are missing.
+    void requireOneOf(const std::vector<std::string>& options) { mAlternatives.push_back(options); }
 
     /// Takes `oldName`, which --help leaves out, for `option`, and warns; `more` goes on with the
     /// warning. Throws UsageError where both are given.
@@ -62,6 +67,7 @@ public:
     AtomicFile& extraOutput(const std::string& path);
 
     gpu::Device& device(); ///< opened on the first call
+    /// To use on the host; 0: all. Fewer than were asked for where the system grants no more.
     int threads() const { return mThreads; }
     Stats& stats() { return mStats; }
     /// Times `work` on the host alone as a pass.
@@ -75,15 +81,16 @@ public:
 
 private:
     int guarded(const std::function<void()>& body);
-    void parse(int argc, char** argv);
+    void shareThreads();
     void finish();
+    void dropOutputs();
     void printRemarks() const;
-    std::string statsText() const;
 
     std::string mName;
     CLI::App mApp;
     CLI::Option* mOutputOption = nullptr;
     CLI::Option* mConfigOption = nullptr;
+    std::vector<std::vector<std::string>> mAlternatives;
     std::vector<std::string> mArguments;
     std::vector<std::string> mOutputPaths;
     std::string mStatsPath, mDeviceName = "auto", mProgressMode;
@@ -94,13 +101,10 @@ private:
     std::vector<std::unique_ptr<AtomicFile>> mOutputs, mExtraOutputs;
     std::unique_ptr<AtomicFile> mStatsFile;
     std::unique_ptr<gpu::Device> mDevice;
-    struct ThreadLimit;
-    std::unique_ptr<ThreadLimit> mThreadLimit;
     Stats mStats;
     std::vector<std::string> mRemarks; // notes and warnings, in order
     double mBegan = 0;
-    int mLastPercent = -1;
-    bool mBarDrawn = false;
+    ProgressLine mProgress;
 };
 
 /// `--grid-ior NAME` and its like for the named grids.

@@ -58,8 +58,9 @@ void addOptions(CLI::App& app, Options& o) {
         ->required();
     addCamera(app, p.camera, o.size);
     auto* environment =
-        app.add_option("--env", o.environment, "lat-long environment map, EXR or another format")
-            ->type_name("FILE")
+        app.add_option("--env", o.environment,
+                       "lat-long environment map, EXR or another format; of an EXR a layer or part")
+            ->type_name("FILE[:LAYER]")
             ->group("Background");
     tool::addVector(app, "--background", p.background, "radiance all round", true)
         ->type_name("R,G,B")
@@ -146,13 +147,9 @@ void writePictures(tool::Session& session, const Options& o, const scene::Files&
 /// A name that promises a format we don't write is refused; devices and FIFOs get EXR.
 void checkOutput(const std::string& path) {
     if (image::isDisplayPicture(path)) return image::requirePictureModule();
-    std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
-    const bool inPlace =
-        std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
     std::string extension = std::filesystem::path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (path != "-" && !inPlace && extension != ".exr")
+    if (!writtenInPlace(path) && extension != ".exr")
         throw UsageError("--output: found '" + path +
                          "', expected a name ending in .exr, .png, "
                          ".jpg or .tga");
@@ -160,12 +157,11 @@ void checkOutput(const std::string& path) {
 
 void render(tool::Session& session, Options& o) {
     parseTexts(o);
-    if (session.app().count("--fov") + session.app().count("--ortho") != 1)
-        throw UsageError("expected --fov or --ortho");
     o.params.camera.parallel = session.app().count("--ortho") > 0;
     o.params.check();
     std::vector<std::string> inputs = o.inputs;
-    if (!o.environment.empty()) inputs.push_back(o.environment);
+    const image::PictureName environment = image::parsePictureName(o.environment);
+    if (!o.environment.empty()) inputs.push_back(environment.path);
     session.guardInputs(inputs);
     for (const std::string& path : session.outputPaths()) checkOutput(path);
     // Colour, the rays' paths and every AOV are held until the picture is whole.
@@ -179,7 +175,11 @@ void render(tool::Session& session, Options& o) {
         std::vector<volume::Volume> volumes;
         for (const std::string& input : o.inputs)
             volumes.push_back(volume::Volume::open(input, o.names));
-        if (!o.environment.empty()) map = image::readEnvironment(o.environment);
+        if (!o.environment.empty()) {
+            image::Environment read = image::readEnvironment(environment);
+            for (const std::string& warning : read.warnings) session.warn(warning);
+            map = std::move(read.map);
+        }
         files.emplace(std::move(volumes));
         plan = view::makePlan(*files, o.params, map.has_value());
     });
@@ -209,5 +209,6 @@ int main(int argc, char** argv) {
                                     "given again.");
     Options options;
     addOptions(session.app(), options);
+    session.requireOneOf({"--fov", "--ortho"});
     return session.run(argc, argv, [&](tool::Session&) { render(session, options); });
 }
