@@ -22,7 +22,7 @@ std::vector<Owned> viewBindings() {
                     {})},
             {"refraction", of({}, {}, {kFieldUnit})},
             {"medium", of({}, {}, {kExtinctionUnit})},
-            {"lobes", of({}, {}, {kDirectionUnit})},
+            {"lobes", of({}, {}, {kDirectionUnit, kFluenceUnit})},
             {"emission beside lobes", of({}, {}, {kEmissionUnit})},
             {"environment map", of({}, {}, {kEnvironmentUnit})},
             // What light falls on a surface, and where it comes from, is looked up there.

@@ -90,7 +90,7 @@ TEST(SmoothPlan, AnUnknownGridIsNamedWithThoseThatAreThere) {
         FAIL() << "expected a DataError";
     } catch (const DataError& error) {
         const std::string message = error.what();
-        EXPECT_NE(message.find("no grid 'smoke' (found: ior, opacity, absorption, fog)"),
+        EXPECT_NE(message.find("no grid 'smoke' (found: absorption, fog, ior, opacity)"),
                   std::string::npos)
             << message;
     }
