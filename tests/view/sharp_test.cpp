@@ -85,6 +85,6 @@ TEST(Sharp, ABoundaryOnTheDomainsFaceRefracts) {
             EXPECT_LT(look.at("R", x, y), 0.1); // the mirror's share alone
             EXPECT_NEAR(deep.at("R", x, y), 1, 1e-3);
             EXPECT_LT(glm::length(deep.direction(x, y) - d), 1e-5);
-            EXPECT_NEAR(deep.at("optical_path_length", x, y), 1.5 * length, 1e-3);
+            EXPECT_NEAR(deep.at("optical_path_length.V", x, y), 1.5 * length, 1e-3);
         }
 }
