@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -102,6 +103,23 @@ bool decode(const char* path, PictureAllocator allocate, void* context, char* me
     return fail(error.what(), message, messageSize);
 }
 
+/// Whether a file reads back as what was written; JPEG, which loses something, in size alone.
+bool readsBack(const std::string& extension, const OIIO::ImageSpec& spec,
+               const unsigned char* pixels, const std::vector<unsigned char>& file) {
+    OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
+    OIIO::ImageSpec wanted, found;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::create(extension);
+    if (!input || !input->set_ioproxy(&memory) ||
+        !input->open("picture." + extension, found, wanted) || input->spec().width != spec.width ||
+        input->spec().height != spec.height || input->spec().nchannels != spec.nchannels)
+        return false;
+    std::vector<unsigned char> back(spec.image_bytes());
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, back.data())) return false;
+    return input->format_name() == std::string("jpeg") ||
+           std::equal(back.begin(), back.end(), pixels);
+}
+
 bool encode(const char* extension, int width, int height, int channels, const unsigned char* pixels,
             PictureSink sink, void* context, char* message, size_t messageSize) try {
     const std::string name = std::string("picture.") + extension; // chooses the format
@@ -116,6 +134,8 @@ bool encode(const char* extension, int width, int height, int channels, const un
     if (!output->open(name, spec) || !output->write_image(OIIO::TypeUInt8, pixels) ||
         !output->close())
         return fail(output->geterror(), message, messageSize);
+    if (!readsBack(extension, spec, pixels, file.buffer()))
+        return fail("it does not read back as written", message, messageSize);
     if (!sink(context, file.buffer().data(), file.buffer().size()))
         return fail("write failed", message, messageSize);
     return true;

@@ -4,3 +4,5 @@ eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/cur
 
 eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
                                      ${CMAKE_BINARY_DIR})
+eikonal_run(render_files COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_files_test.sh
+                                 ${CMAKE_BINARY_DIR})
