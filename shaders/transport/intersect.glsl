@@ -178,12 +178,17 @@ Hit intersect(Segment segment, uint objects, float departs) {
     return hit;
 }
 
+// A boundary so little beyond a face of the domain is on it [voxel].
+float roundingOfFaces() {
+    return 4.0 * roundingAt(2.0 * transport.halfSize.xyz);
+}
+
 // The same on a straight way, of which only what lies in the boundaries' box is searched. A boundary on
 // the domain's face, where the way ends, is met.
 Hit intersectStraight(vec3 x, vec3 direction, float reach, uint objects, float departs) {
     vec2 span = boxSpan(x, direction, scene.low.xyz, scene.high.xyz);
     float from = max(span.x, 0.0);
-    float to = min(span.y, reach + kOnBoundary);
+    float to = min(span.y, reach + roundingOfFaces());
     Hit hit = noHit(reach);
     if (to > from) {
         hit = intersect(straightSegment(x + from * direction, direction, to - from), objects,

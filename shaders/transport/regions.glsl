@@ -35,22 +35,28 @@ float sideOf(uint objects, int k) {
 }
 
 const float kTouch = 0.1;         // objects this close touch [voxel]
-const float kOnBoundary = 1.0e-3; // a point this close to a boundary lies on it
 
-// The objects that hold a path's start at x. One that lies on a boundary, which is within `reach` of it,
+// A point that lies on a boundary or a face is this close to it [voxel].
+float roundingAt(vec3 x) {
+    return 1.5e-7 * (1.0 + max(x.x, max(x.y, x.z)));
+}
+
+// The objects that hold a path's start at x. One that lies on a boundary, within `reach` or roundings of it,
 // is before the boundary or, if `behind`, past it: the sign of a distance of rounding's size tells nothing.
 uint objectsAt(vec3 x, vec3 direction, float reach, bool behind) {
     vec3 at = (x + 0.5) * scene.voxel.xyz;
     uint inside = kObjects == 1 ? 0u : textureLod(nearby, at, 0.0).x & 0xFFFFu;
     uint close = closeTo(x);
+    reach = max(reach, roundingAt(x));
     for (int k = 0; k < kObjects; ++k)
         if (((close >> k) & 1u) == 1u) {
             float free = kObjects == 1 ? clearanceAt(x) : 0.0;
             bool holds = free < 0.0;
             if (abs(free) < 2.0 * kRough) {
                 vec4 found = distanceAt(k, x);
-                bool enters = dot(found.xyz, direction) < 0.0;
-                holds = abs(found.w) <= reach ? enters == behind : found.w < 0.0;
+                float slope = dot(found.xyz, direction);
+                bool told = abs(found.w) > reach || abs(slope) < 1.0e-5; // or it runs along it
+                holds = told ? found.w < 0.0 : (slope < 0.0) == behind;
             }
             inside &= ~(1u << k);
             inside |= (holds ? 1u : 0u) << k;

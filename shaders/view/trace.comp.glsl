@@ -49,6 +49,7 @@ struct Load {
     float dim;      // shares dropped because nothing worth following was left
     bool trapped;   // some branch
     bool first;     // the first branch is on its way
+    vec3 along;     // by what its throughput is more than its own: reflections not followed
     Path firstPath; // where that ended
     vec3 clear;     // opaque voxels: the last point known to be outside them
     vec3 inside;    // a point within them, when stopped
@@ -142,7 +143,11 @@ void onInterface(inout Path path, inout Load load, Interface at) {
             // Dropped, it would add up to darkness where there are many boundaries.
             Branch mirrored = branchOf(path, at.x, outgoing[1]);
             if (isBrighter(mirrored, params.medium.y)) waiting[waitingCount++] = mirrored;
-            else next.throughput += mirrored.throughput;
+            else {
+                vec3 both = next.throughput + mirrored.throughput;
+                if (kAovs && load.first) load.along *= both / max(next.throughput, vec3(1.0e-30));
+                next.throughput = both;
+            }
         }
         if (!isBrighter(next, params.medium.y * params.medium.y)) { // dimmed by what it went through
             load.dim += meanOf(next.throughput);
@@ -198,10 +203,11 @@ void main() {
 
     CameraRay camera = cameraRayOf(pixel);
     Path path = pathFrom(camera.start, camera.direction, params.limits.x);
-    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, true, path, camera.start, camera.start);
+    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, true, vec3(1.0), path, camera.start,
+                     camera.start);
     float n = params.medium.x; // at the eye
     if (camera.hits) {
-        path.objects = objectsAt(camera.start, camera.direction, kOnBoundary, camera.within);
+        path.objects = objectsAt(camera.start, camera.direction, 0.0, camera.within);
         int region = regionOf(path.objects);
         float entry = indexOf(region, camera.start);
         if (camera.within) n = entry;
@@ -236,7 +242,7 @@ void main() {
         PixelPath found;
         found.place = vec4(first.ray.x, first.lengths.x);
         found.direction = vec4(direction, first.lengths.y);
-        found.through = vec4(stopped ? vec3(0.0) : first.throughput, float(first.steps));
+        found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps));
         float atExit = camera.hits ? indexOf(regionOf(first.objects), first.ray.x) : 1.0;
         found.error = vec4(abs(length(first.ray.w) - atExit), camera.hits ? 0.0 : 1.0, 0.0, 0.0);
         paths[at] = found;

@@ -1,7 +1,7 @@
 // Hard cases of what a ray keeps, by the shaders' own formulae in double and in float.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/shader_lib.h"
 #include "float_walk.h"
+#include "support/shader_lib.h"
 
 #include <functional>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Hard cases of meshes, through mesh2vol: the right status, or the right volume.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/shapes.h"
 #include "support/scratch.h"
+#include "support/shapes.h"
 #include "support/tool.h"
 #include "volume/volume.h"
 

@@ -59,8 +59,8 @@ void addMedia(TestVolume& scene, double voxelSize) {
     vector("absorption", perVoxel / voxelSize);
     vector("scattering", perVoxel / voxelSize);
     vector("emission", 1 / voxelSize);
-    vector("albedo", 1);
-    vector("reflectance", 1);
+    if (oneIn(2)) scene.constantVector("reflectance", drawnRgb(1)); // sharp, one an object
+    if (oneIn(2)) scene.constantVector("albedo", drawnRgb(1));
     if (oneIn(2)) scene.constant("anisotropy", drawn(-0.95, 0.95));
     if (oneIn(4)) scene.constant("dispersion", drawn(0, 0.01));
 }
