@@ -50,6 +50,7 @@ test-all: packages
 # Every fuzzing target of tests/fuzz for so many seconds, built with clang's sanitizers.
 SECONDS ?= 60
 fuzz: packages
+	@command -v clang++ >/dev/null || { echo "make fuzz: needs clang (Debian: clang)"; exit 69; }
 	cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
 	  -DEIKONAL_FUZZ=ON >/dev/null
 	cmake --build build-fuzz -j $(JOBS)
