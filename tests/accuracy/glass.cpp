@@ -77,9 +77,8 @@ Json measureGraded(Bench& bench) {
 std::vector<dvec3> coloursOf(Bench& bench, const scene::Files& scene, const view::Params& params,
                              const std::optional<image::Image>& map = {}) {
     Stats stats;
-    const image::Image picture =
-        view::render(bench.device, view::makePlan(scene, params, map.has_value()), params,
-                     map, stats, {});
+    const image::Image picture = view::render(
+        bench.device, view::makePlan(scene, params, map.has_value()), params, map, stats, {});
     std::vector<dvec3> colours;
     for (size_t i = 0; i < picture.area(); ++i) {
         const auto channel = [&](const char* name) {
@@ -147,19 +146,19 @@ Json measureOrders(Bench& bench) {
 
 /// Whether what a ray's tree leaves is told by the ray: a hundredth of a voxel aside it is the same
 /// to a fifth of the bar, so that no rounding decides on a branch.
-bool tellable(const judge::Glass& glass, const judge::Ray& ray) {
-    const double sum = judge::followAll(glass, ray).sum();
+bool tellable(const judge::Glass& glass, const judge::Ray& ray, const judge::Limits& limits) {
+    const double sum = judge::followAll(glass, ray, limits).sum();
     const dvec3 u = glm::normalize(glm::cross(ray.direction, dvec3(0.3, 0.8, 0.5)));
     const dvec3 v = glm::cross(ray.direction, u);
     for (const dvec3& aside : {u, -u, v, -v})
-        if (std::abs(judge::followAll(glass, {ray.x + 0.01 * aside, ray.direction}).sum() - sum) >
-            2e-5)
+        if (std::abs(judge::followAll(glass, {ray.x + 0.01 * aside, ray.direction}, limits).sum() -
+                     sum) > 2e-5)
             return false;
     return true;
 }
 
 /// Wine in a ball of glass, a bubble in the wine, in surroundings of radiance 1: the largest
-/// difference from 1 less what depth 8 and the threshold drop.
+/// difference from 1 less what depth 8 drops.
 Json measureWine(Bench& bench) {
     const judge::Glass glass{{judge::glassBall(kCentre, 26, 1.5, 0),
                               judge::glassBall(kCentre + dvec3(1, 2, -1), 20, 1.34, 1),
@@ -173,9 +172,11 @@ Json measureWine(Bench& bench) {
         params.background = dvec3(1);
         const std::vector<dvec3> colours = coloursOf(bench, scene, params);
         const std::vector<judge::Ray> rays = raysOf(params.camera);
+        const judge::Limits limits{.maxDepth = params.maxDepth, .minThroughput = params.cutoff};
         for (size_t i = 0; i < rays.size(); ++i) {
-            if (!tellable(glass, rays[i])) continue;
-            off = std::max(off, std::abs(colours[i].x - judge::followAll(glass, rays[i]).sum()));
+            if (!tellable(glass, rays[i], limits)) continue;
+            off = std::max(off,
+                           std::abs(colours[i].x - judge::followAll(glass, rays[i], limits).sum()));
             ++count;
         }
     }

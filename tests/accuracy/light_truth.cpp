@@ -66,23 +66,6 @@ Json measurePoint(Bench& bench, std::int64_t photons) {
     return {{"error", relativeRms(lit.fluence, wanted)}, {"ms", lit.ms}};
 }
 
-/// Weights 1 2 1 along every axis, edges clamped: what --smoothing 1 does.
-std::vector<float> smoothed(std::vector<float> values, const glm::ivec3& size) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<float> before = values;
-        size_t i = 0;
-        forEachVoxel(size, [&](glm::ivec3 p) {
-            const auto at = [&](int shift) {
-                glm::ivec3 q = p;
-                q[axis] = std::clamp(q[axis] + shift, 0, size[axis] - 1);
-                return before[(static_cast<size_t>(q.z) * size.y + q.y) * size.x + q.x];
-            };
-            values[i++] = 0.25f * (at(-1) + 2 * at(0) + at(1));
-        });
-    }
-    return values;
-}
-
 /// Light through the ball by Snell's law, in the same voxels; made once per size.
 std::vector<float> snellFluence(Bench& bench, int voxels) {
     return kept(bench.work, {{"part", "snell"}, {"voxels", voxels}}, [&] {
@@ -105,10 +88,10 @@ Json measureCaustic(Bench& bench, int voxels, double sigma, const Setting& trace
                     std::int64_t photons) {
     lightsim::Params params = lightParams(slantingLight(), photons);
     params.tracing = trace.tracing;
-    params.smoothing = 1;
+    params.smoothing = 0; // whose mean over voxels is no matter of tracing
     params.stepMin = 0.5;
     const Lit lit = light(bench, hazyBall(voxels, sigma, false).volume(), params);
-    const auto wanted = smoothed(snellFluence(bench, voxels), glm::ivec3(voxels));
+    const auto wanted = snellFluence(bench, voxels);
     const double h = 64.0 / voxels;
     const dvec3 down = slantingLight().vector;
     const auto behind = [&](size_t i) {
@@ -150,7 +133,7 @@ std::vector<float> beamFluence(Bench& bench, const judge::Glass& glass, const dv
 }
 
 /// A sun aslant through a ball of glass with a sharp boundary, radius 0.5 in a box of 1.6 units:
-/// the plane 0.75 below its centre, after one round of smoothing on both sides.
+/// the plane 0.75 below its centre.
 Json measureSharpLight(Bench& bench, int voxels, int power) {
     const double h = 1.6 / voxels;
     const dvec3 centre(0.71, 1.02, 0.76), sun = glm::normalize(dvec3(0.3, -1, 0.15));
@@ -159,12 +142,12 @@ Json measureSharpLight(Bench& bench, int voxels, int power) {
     lightsim::Params params =
         lightParams({lightsim::Light::Kind::directional, sun, dvec3(1)}, std::int64_t{1} << power);
     params.tracing.boundary = optics::Boundary::sharp;
-    params.smoothing = 1;
+    params.smoothing = 0;
     const Lit lit = light(
         bench, sharp::volumeOf(glass, {.size = glm::ivec3(voxels), .voxelSize = h, .halfWidth = 6}),
         params);
     const glm::ivec3 slab(voxels, 3, voxels);
-    const auto wanted = smoothed(beamFluence(bench, glass, sun, voxels, y), slab);
+    const auto wanted = beamFluence(bench, glass, sun, voxels, y);
     return {{"error",
              relativeRms(planeAt(lit.fluence, glm::ivec3(voxels), y), planeAt(wanted, slab, 1))},
             {"ms", lit.ms}};

@@ -202,7 +202,7 @@ void writeLight(std::ostringstream& out, const std::vector<Json>& rows) {
             if (point["photons"] == row["photons"])
                 line(out, {std::to_string(row["photons"].get<std::int64_t>()), number(row["error"]),
                            number(point["error"])});
-    out << "\nThe caustic of a ball, after one round of smoothing on both sides, against photons "
+    out << "\nThe caustic of a ball, not smoothed, against photons "
            "by Snell's law in double: it is the blurred edge, not the photons or their steps, "
            "that the error comes from, and it falls with the edge's width in units.\n\n";
     head(out, {"voxels", "σ [voxel]", "photons' steps", "all voxels", "behind the ball"});
