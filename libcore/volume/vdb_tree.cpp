@@ -94,9 +94,10 @@ bool contains(const IndexBox& box, const IndexBox& other) {
            box.max.z >= other.max.z;
 }
 
-class Walk {
+/// Reads through a tree, and throws where it says what can't be.
+class TreeReader {
 public:
-    Walk(ByteReader& in, const TreeLayout& layout) : mIn(in), mLayout(layout) {}
+    TreeReader(ByteReader& in, const TreeLayout& layout) : mIn(in), mLayout(layout) {}
 
     TreeFacts tree() {
         if (mIn.value<std::int32_t>() != 1) throw VdbDamage("a tree has not one buffer");
@@ -265,7 +266,7 @@ std::optional<TreeLayout> layoutOf(const std::string& type, bool half, std::uint
 }
 
 TreeFacts walkTree(ByteReader& in, const TreeLayout& layout) {
-    return Walk(in, layout).tree();
+    return TreeReader(in, layout).tree();
 }
 
 } // namespace eikonal::volume
