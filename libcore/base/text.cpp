@@ -64,6 +64,11 @@ std::string join(const std::vector<std::string>& items, std::string_view separat
     return text;
 }
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    return text.substr(0, kMark.size()) == kMark ? text.substr(kMark.size()) : text;
+}
+
 std::string bytesText(double bytes) {
     std::string digits = std::to_string(static_cast<unsigned long long>(bytes));
     for (size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");

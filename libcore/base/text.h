@@ -22,6 +22,9 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text, char sepa
 std::vector<std::string> split(std::string_view text, char separator);
 std::string join(const std::vector<std::string>& items, std::string_view separator);
 
+/// The text without the UTF-8 byte order mark that some editors begin files with.
+std::string_view withoutByteOrderMark(std::string_view text);
+
 /// "1,234,567 bytes (1.2 MiB)".
 std::string bytesText(double bytes);
 

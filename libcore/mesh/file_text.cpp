@@ -22,10 +22,7 @@ std::string_view FileText::takeLine() {
     std::string_view line = mRest.substr(0, end);
     const bool pair = mPairs && mRest.substr(end, 2) == "\r\n";
     mRest.remove_prefix(std::min(end + (pair ? 2 : 1), mRest.size()));
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (line.substr(0, kByteOrderMark.size()) == kByteOrderMark)
-        line.remove_prefix(kByteOrderMark.size());
-    return line;
+    return withoutByteOrderMark(line);
 }
 
 void FileText::split(std::string_view line) {

@@ -195,6 +195,15 @@ float wayToFace(ivec3 voxel, ivec3 size) {
     return 0.5f * static_cast<float>(faces);
 }
 
+/// Whether a sample in an edge or corner of its box is as near to boundaries on all of the box's
+/// faces there: an edge of the object, where differences of distances tell no slope.
+bool isEdge(ivec3 p, ivec3 size, float distance, const vec3& rise) {
+    int faces = 0;
+    for (int axis = 0; axis < 3; ++axis) faces += p[axis] == 0 || p[axis] == size[axis] - 1;
+    const vec3 steep = glm::abs(rise);
+    return faces > 1 && std::abs(distance) < kVoxel && std::max({steep.x, steep.y, steep.z}) < 0.5f;
+}
+
 } // namespace
 
 std::vector<float> coefficientsOf(const Object& object) {
@@ -202,16 +211,19 @@ std::vector<float> coefficientsOf(const Object& object) {
     // does.
     const ivec3 size = object.box.size(), outer = size + 2 * kSplineMargin;
     std::vector<float> values(placeOf(outer, 0, 0, outer.z));
+    const auto at = [&](ivec3 q) { return object.distance[placeOf(size, q.x, q.y, q.z)]; };
     const auto sample = [&](ivec3 p) {
-        const ivec3 in = glm::clamp(p, ivec3(0), size - 1);
-        const auto at = [&](ivec3 q) { return object.distance[placeOf(size, q.x, q.y, q.z)]; };
-        float value = at(in);
+        const ivec3 in = glm::clamp(p, ivec3(0), size - 1), side = glm::sign(2 * in - size + 1);
+        vec3 rise(0); // outward, over a voxel
         for (int axis = 0; axis < 3; ++axis) {
             ivec3 behind = in;
-            behind[axis] = std::clamp(in[axis] - (p[axis] > in[axis] ? 1 : -1), 0, size[axis] - 1);
-            value += static_cast<float>(std::abs(p[axis] - in[axis])) * (at(in) - at(behind));
+            behind[axis] = std::clamp(in[axis] - side[axis], 0, size[axis] - 1);
+            rise[axis] = at(in) - at(behind);
         }
-        return value;
+        const vec3 beyond(glm::abs(p - in));
+        return at(in) + (isEdge(in, size, at(in), rise)
+                             ? std::copysign(std::max({beyond.x, beyond.y, beyond.z}), -at(in))
+                             : glm::dot(beyond, rise));
     };
     tbb::parallel_for(0, outer.z, [&](int z) {
         for (int y = 0; y < outer.y; ++y)

@@ -87,8 +87,7 @@ void main() {
     float back = kObjects == 0 || startsAtLight
                      ? 0.0
                      : min(boxSpan(x, -direction, params.low.xyz, params.high.xyz).y, 1.0);
-    uint objects = objectsAt(x - back * direction, direction,
-                             back > 1.0e-3 ? kTouch : 0.0, startsAtLight);
+    uint objects = objectsAt(x - back * direction, direction, startsAtLight);
     Photon photon;
     photon.place = vec4(x, 0.0);
     photon.wave = vec4(indexOf(regionOf(objects), x) * direction, 0.0);

@@ -31,6 +31,15 @@ bool isLeaving(Ray ray) {
     return any(greaterThanEqual(fromCentre(ray.x) * sign(ray.w), transport.halfSize.xyz - 1.0e-4));
 }
 
+// A boundary that lies along a face this close to it is on it: samples tell no better [voxel].
+const float kFlush = 0.02;
+
+// Whether a boundary of this normal (of any length) at x lies along a face of the domain.
+bool liesAlongFace(vec3 x, vec3 normal) {
+    vec3 near = vec3(greaterThan(abs(fromCentre(x)), transport.halfSize.xyz - kFlush));
+    return any(greaterThan(near * abs(normal), vec3(0.999 * length(normal))));
+}
+
 // The share of a step that ends outside after which its interpolant leaves the domain.
 float shareInside(Ray start, Ray end, float tau) {
     float inside = 0.0;

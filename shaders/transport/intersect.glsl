@@ -178,9 +178,10 @@ Hit intersect(Segment segment, uint objects, float departs) {
     return hit;
 }
 
-// A boundary so little beyond a face of the domain is on it [voxel].
-float roundingOfFaces() {
-    return 4.0 * roundingAt(2.0 * transport.halfSize.xyz);
+// Whether a boundary that is met at x, so far beyond the domain's face, is met before a path leaves.
+bool isBeforeFace(Hit hit, vec3 x, float beyond) {
+    return beyond <= 4.0 * roundingAt(2.0 * transport.halfSize.xyz) ||
+           (beyond <= 2.0 * kFlush && liesAlongFace(x, hit.gradient));
 }
 
 // The same on a straight way, of which only what lies in the boundaries' box is searched. A boundary on
@@ -188,11 +189,12 @@ float roundingOfFaces() {
 Hit intersectStraight(vec3 x, vec3 direction, float reach, uint objects, float departs) {
     vec2 span = boxSpan(x, direction, scene.low.xyz, scene.high.xyz);
     float from = max(span.x, 0.0);
-    float to = min(span.y, reach + roundingOfFaces());
+    float to = min(span.y, reach) + kFlush;
     Hit hit = noHit(reach);
     if (to > from) {
         hit = intersect(straightSegment(x + from * direction, direction, to - from), objects,
                         from > 0.0 ? 0.0 : departs);
+        if (!isBeforeFace(hit, x + (from + hit.s) * direction, from + hit.s - reach)) hit.object = -1;
         hit.s = hit.object < 0 ? reach : min(hit.s + from, reach);
     }
     return hit;

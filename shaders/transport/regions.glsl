@@ -8,6 +8,7 @@
 //
 // Coefficients are a region's own: no look-up mixes them with those beyond its boundary. Most are one
 // number for all of it, and cost no look-up.
+#include "transport/domain.glsl"
 #include "transport/index_field.glsl"
 #include "transport/level_set.glsl"
 
@@ -41,13 +42,13 @@ float roundingAt(vec3 x) {
     return 1.5e-7 * (1.0 + max(x.x, max(x.y, x.z)));
 }
 
-// The objects that hold a path's start at x. One that lies on a boundary, within `reach` or roundings of it,
-// is before the boundary or, if `behind`, past it: the sign of a distance of rounding's size tells nothing.
-uint objectsAt(vec3 x, vec3 direction, float reach, bool behind) {
+// The objects that hold a path's start at x. One that lies on a boundary, or on a face of the domain that a
+// boundary lies along, is before the boundary or, if `behind`, past it: the sign of a distance of rounding's
+// size tells nothing.
+uint objectsAt(vec3 x, vec3 direction, bool behind) {
     vec3 at = (x + 0.5) * scene.voxel.xyz;
     uint inside = kObjects == 1 ? 0u : textureLod(nearby, at, 0.0).x & 0xFFFFu;
     uint close = closeTo(x);
-    reach = max(reach, roundingAt(x));
     for (int k = 0; k < kObjects; ++k)
         if (((close >> k) & 1u) == 1u) {
             float free = kObjects == 1 ? clearanceAt(x) : 0.0;
@@ -55,7 +56,8 @@ uint objectsAt(vec3 x, vec3 direction, float reach, bool behind) {
             if (abs(free) < 2.0 * kRough) {
                 vec4 found = distanceAt(k, x);
                 float slope = dot(found.xyz, direction);
-                bool told = abs(found.w) > reach || abs(slope) < 1.0e-5; // or it runs along it
+                float error = liesAlongFace(x, found.xyz) ? kFlush : roundingAt(x);
+                bool told = abs(found.w) > error || abs(slope) < 1.0e-5; // or it runs along it
                 holds = told ? found.w < 0.0 : (slope < 0.0) == behind;
             }
             inside &= ~(1u << k);

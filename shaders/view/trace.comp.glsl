@@ -207,7 +207,7 @@ void main() {
                      camera.start);
     float n = params.medium.x; // at the eye
     if (camera.hits) {
-        path.objects = objectsAt(camera.start, camera.direction, 0.0, camera.within);
+        path.objects = objectsAt(camera.start, camera.direction, camera.within);
         int region = regionOf(path.objects);
         float entry = indexOf(region, camera.start);
         if (camera.within) n = entry;

@@ -141,3 +141,31 @@ TEST(SharpFlat, ARodGuidesLightByTotalReflection) {
         expectJudges(Look(volumeOf(glass), params), params, glass, 20);
     }
 }
+
+TEST(SharpFlat, ABoxThatFillsItsDomainIsMetAtItsFaces) {
+    // Its sides lie on the domain's own, where rays leave: they refract and are reflected there as
+    // the judge's, away from edges, however many faces they meet.
+    const dvec3 middle(20);
+    std::vector<judge::Plane> planes;
+    for (const dvec3& side : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)})
+        for (const double sign : {-1.0, 1.0})
+            planes.push_back({sign * side, glm::dot(sign * side, middle) + 20});
+    const judge::Glass glass{{judge::glassHull(planes, 1.5)}};
+    Voxels voxels;
+    voxels.size = ivec3(40);
+    for (const dvec3& direction : {dvec3(0.4, -1, 0.7), dvec3(-1, 0.15, 0.1)}) {
+        Params params = along(glm::normalize(direction), middle, 60, {64, 64});
+        params.background = dvec3(1);
+        const Look look(volumeOf(glass, voxels), params);
+        expectJudges(look, params, glass, 700);
+        // Nor does a ray leave near an edge as it went within the glass, as if no face were there.
+        const dvec3 within = glm::abs(glm::normalize(direction)) / 1.5;
+        int unbent = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const dvec3 off = glm::abs(glm::abs(look.direction(x, y)) - within);
+                unbent += (off.x < 1e-4) + (off.y < 1e-4) + (off.z < 1e-4) > 1;
+            }
+        EXPECT_EQ(unbent, 0);
+    }
+}

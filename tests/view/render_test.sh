@@ -98,6 +98,10 @@ test_config() {
         expect 0 render in.vdb --config view.ini -o out.exr
         idiff -q first.exr out.exr >/dev/null || fail "'$line' is another view"
     done
+    # As editors of another system write it.
+    sed -i '1s/^/\xef\xbb\xbf/; s/$/\r/' view.ini
+    expect 0 render in.vdb --config view.ini -o out.exr
+    idiff -q first.exr out.exr >/dev/null || fail "with a byte order mark it is another view"
     rm -f first.exr out.exr
 }
 

@@ -49,7 +49,8 @@ public:
 
     std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
         std::stringstream quoted;
-        for (std::string line; std::getline(input, line);) quoted << quoteList(line) << "\n";
+        for (std::string line; std::getline(input, line);)
+            quoted << quoteList(std::string(withoutByteOrderMark(line))) << "\n";
         std::vector<CLI::ConfigItem> read = ConfigBase::from_config(quoted);
         for (CLI::ConfigItem& item : read) checkItem(item);
         return read;
