@@ -59,6 +59,8 @@ each_refused() {
         done
     done <<'END'
 threads 71
+eglInitialize 69
+glCompileShader 70
 write 74
 fsync 74
 rename 73

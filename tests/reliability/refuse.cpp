@@ -3,7 +3,8 @@
 //
 // REFUSE=malloc:17 refuses the 17th call, malloc:17+ every one from the 17th on. "malloc" is every
 // way of asking for memory. threads:17 refuses a thread while 17 live, as a limit of the system
-// does. REFUSE_COUNT=FILE writes how many calls there were, or the most threads that lived.
+// does. eglInitialize and glCompileShader fail as a driver lets them. REFUSE_COUNT=FILE writes how
+// many calls there were, or the most threads that lived.
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <string_view>
 #include <unistd.h>
 
 extern "C" {
@@ -54,8 +56,43 @@ bool refused(const char* function) {
     return order.first > 0 && (call == order.first || (order.onwards && call > order.first));
 }
 
+using Lookup = void* (*)(void*, const char*);
+using DriverLookup = void* (*)(const char*);
+
+/// The system's own dlsym, which this library stands before.
+Lookup systemLookup() {
+    static const auto lookup =
+        reinterpret_cast<Lookup>(::dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.2.5"));
+    return lookup;
+}
+
 template<typename Function> Function* nextOf(const char* name) {
-    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+    return reinterpret_cast<Function*>(systemLookup()(RTLD_NEXT, name));
+}
+
+// The driver's functions, as they were looked up.
+unsigned (*driverInitialize)(void*, int*, int*) = nullptr;
+DriverLookup driverLookup = nullptr;
+void (*driverCompile)(unsigned) = nullptr;
+
+unsigned initialize(void* display, int* major, int* minor) {
+    return refused("eglInitialize") ? 0 : driverInitialize(display, major, minor);
+}
+
+void compile(unsigned shader) {
+    if (refused("glCompileShader")) {
+        const char* const nonsense = "refused";
+        reinterpret_cast<void (*)(unsigned, int, const char* const*, const int*)>(
+            driverLookup("glShaderSource"))(shader, 1, &nonsense, nullptr);
+    }
+    driverCompile(shader);
+}
+
+void* lookUp(const char* name) {
+    void* const found = driverLookup(name);
+    if (found == nullptr || std::string_view(name) != "glCompileShader") return found;
+    driverCompile = reinterpret_cast<void (*)(unsigned)>(found);
+    return reinterpret_cast<void*>(compile);
 }
 
 [[gnu::destructor]] void tellCount() {
@@ -129,6 +166,21 @@ ssize_t write(int file, const void* bytes, size_t size) {
         return -1;
     }
     return next(file, bytes, size);
+}
+
+/// Libraries look the driver's functions up by name.
+void* dlsym(void* library, const char* symbol) noexcept {
+    void* const found = systemLookup()(library, symbol);
+    const std::string_view name(symbol);
+    if (found != nullptr && name == "eglInitialize") {
+        driverInitialize = reinterpret_cast<unsigned (*)(void*, int*, int*)>(found);
+        return reinterpret_cast<void*>(initialize);
+    }
+    if (found != nullptr && name == "eglGetProcAddress") {
+        driverLookup = reinterpret_cast<DriverLookup>(found);
+        return reinterpret_cast<void*>(lookUp);
+    }
+    return found;
 }
 
 int fsync(int file) {
