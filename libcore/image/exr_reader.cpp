@@ -29,6 +29,31 @@ long long sideOf(int low, int high) {
     return static_cast<long long>(high) - low + 1;
 }
 
+/// The bytes that OpenEXR reads of an attribute, whatever size the file claims; 0: as many as that.
+std::int32_t sizeOf(const std::string& type) {
+    static const std::map<std::string, std::int32_t> sizes{
+        {"box2i", 16},      {"box2f", 16},   {"chromaticities", 32},
+        {"compression", 1}, {"double", 8},   {"envmap", 1},
+        {"float", 4},       {"int", 4},      {"keycode", 28},
+        {"lineOrder", 1},   {"m33f", 36},    {"m33d", 72},
+        {"m44f", 64},       {"m44d", 128},   {"rational", 8},
+        {"timecode", 8},    {"tiledesc", 9}, {"v2i", 8},
+        {"v2f", 8},         {"v2d", 16},     {"v3i", 12},
+        {"v3f", 12},        {"v3d", 24},     {"deepImageState", 1}};
+    const auto found = sizes.find(type);
+    return found == sizes.end() ? 0 : found->second;
+}
+
+/// The bytes of a list of channels from here on: names, each with 16 bytes, and an empty name.
+std::streamoff channelsLength(std::istream& file) {
+    const std::streamoff begin = file.tellg();
+    for (std::string name; std::getline(file, name, '\0') && !name.empty();)
+        file.seekg(16, std::ios::cur);
+    const std::streamoff end = file.tellg();
+    file.seekg(begin);
+    return end - begin;
+}
+
 /// Walks through the attributes. OpenEXR takes memory for the size that one claims, gigabytes in a
 /// damaged file, before it finds the file's end.
 void checkAttributes(const std::string& opened, const std::string& path) {
@@ -56,6 +81,11 @@ void checkAttributes(const std::string& opened, const std::string& path) {
         if (!file || length < 0 || length > size - file.tellg())
             throw DataError(path + ": attribute '" + name.substr(0, 40) + "' claims " +
                             std::to_string(length) + " bytes, more than the file has left");
+        const std::streamoff taken = type == "chlist" ? channelsLength(file) : sizeOf(type);
+        if (taken != 0 && taken != length)
+            throw DataError(path + ": attribute '" + name.substr(0, 40) + "' claims " +
+                            std::to_string(length) + " bytes, but a " + type + " has " +
+                            std::to_string(taken));
         file.seekg(length, std::ios::cur);
     }
 }

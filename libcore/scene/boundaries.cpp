@@ -196,12 +196,14 @@ float wayToFace(ivec3 voxel, ivec3 size) {
 }
 
 /// Whether a sample in an edge or corner of its box is as near to boundaries on all of the box's
-/// faces there: an edge of the object, where differences of distances tell no slope.
-bool isEdge(ivec3 p, ivec3 size, float distance, const vec3& rise) {
+/// faces there: an edge of the object, where differences of distances tell no slope. `inner` is
+/// the distance a voxel further in from all those faces.
+bool isEdge(ivec3 p, ivec3 size, float distance, float inner, const vec3& rise) {
     int faces = 0;
     for (int axis = 0; axis < 3; ++axis) faces += p[axis] == 0 || p[axis] == size[axis] - 1;
     const vec3 steep = glm::abs(rise);
-    return faces > 1 && std::abs(distance) < kVoxel && std::max({steep.x, steep.y, steep.z}) < 0.5f;
+    return faces > 1 && std::abs(distance) < kVoxel && std::abs(distance - inner) > 0.5f &&
+           std::max({steep.x, steep.y, steep.z}) < 0.5f;
 }
 
 } // namespace
@@ -213,15 +215,21 @@ std::vector<float> coefficientsOf(const Object& object) {
     std::vector<float> values(placeOf(outer, 0, 0, outer.z));
     const auto at = [&](ivec3 q) { return object.distance[placeOf(size, q.x, q.y, q.z)]; };
     const auto sample = [&](ivec3 p) {
-        const ivec3 in = glm::clamp(p, ivec3(0), size - 1), side = glm::sign(2 * in - size + 1);
+        const ivec3 in = glm::clamp(p, ivec3(0), size - 1);
+        ivec3 side(0); // of the faces that `in` is on
+        for (int axis = 0; axis < 3; ++axis)
+            side[axis] = (in[axis] == size[axis] - 1) - (in[axis] == 0);
+        const auto behind = [&](ivec3 step) {
+            return at(glm::clamp(in - step, ivec3(0), size - 1));
+        };
         vec3 rise(0); // outward, over a voxel
         for (int axis = 0; axis < 3; ++axis) {
-            ivec3 behind = in;
-            behind[axis] = std::clamp(in[axis] - side[axis], 0, size[axis] - 1);
-            rise[axis] = at(in) - at(behind);
+            ivec3 step(0);
+            step[axis] = side[axis] == 0 ? 1 : side[axis];
+            rise[axis] = at(in) - behind(step);
         }
         const vec3 beyond(glm::abs(p - in));
-        return at(in) + (isEdge(in, size, at(in), rise)
+        return at(in) + (isEdge(in, size, at(in), behind(side), rise)
                              ? std::copysign(std::max({beyond.x, beyond.y, beyond.z}), -at(in))
                              : glm::dot(beyond, rise));
     };

@@ -168,6 +168,21 @@ TEST_F(ExrInputTest, AnAttributeOfAbsurdSizeTakesNoMemory) {
     EXPECT_LT(peakKibibytes() - before, 100 * 1024); // of the gibibyte claimed
 }
 
+TEST_F(ExrInputTest, AnAttributeOfAnotherTypesSizeIsRefused) {
+    // OpenEXR reads on where the type ends, not where the claim does: what follows would be read as
+    // names, types and sizes.
+    exr("a.exr", numbered(8, 4, kRgb));
+    const std::string whole = bytesOf("a.exr");
+    for (const std::string type : {"compression", "chlist", "box2i"}) {
+        std::string bytes = whole;
+        const size_t size = bytes.rfind(type + '\0') + type.size() + 1; // its name may be the same
+        ++bytes[size];
+        bytes.insert(size + 4 + static_cast<unsigned char>(whole[size]), 1, '\0');
+        putBytes("b.exr", bytes);
+        expectError(ExitStatus::data, {"b.exr", type}, [&] { readExr(at("b.exr")); });
+    }
+}
+
 TEST_F(ExrInputTest, DamagedFilesAreDataErrorsOrStillPictures) {
     exr("a.exr", numbered(40, 40, {"R", "G", "B", "A"}));
     const std::string whole = bytesOf("a.exr");
