@@ -23,12 +23,11 @@ void join(const Scene& scene, size_t k, Index& index, std::vector<float>& neares
     const Object& object = scene.objects[k];
     const Region& region = scene.regions[k];
     const glm::ivec3 size = scene.size();
-    size_t i = 0;
     for (int z = object.box.min.z; z <= object.box.max.z; ++z)
         for (int y = object.box.min.y; y <= object.box.max.y; ++y)
-            for (int x = object.box.min.x; x <= object.box.max.x; ++x, ++i) {
+            for (int x = object.box.min.x; x <= object.box.max.x; ++x) {
                 const size_t voxel = (static_cast<size_t>(z) * size.y + y) * size.x + x;
-                const float distance = object.distance[i];
+                const float distance = object.distance.at({x, y, z});
                 if (std::max(distance, nearest[voxel]) < kLookUps)
                     throw DataError(scene.path + ": the index varies in '" + region.name +
                                     "' and in another object less than " +

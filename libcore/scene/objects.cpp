@@ -4,70 +4,153 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "scene/shared.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <optional>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::scene {
 
-using glm::ivec3;
-using glm::vec3;
-
 namespace {
 
-/// The mean length of the gradient within two voxels of the boundary.
-float slopeOf(const Object& object) {
-    const ivec3 size = object.box.size();
-    const auto at = [&](int x, int y, int z) {
-        return object.distance[(static_cast<size_t>(z) * size.y + y) * size.x + x];
-    };
-    double sum = 0;
-    std::int64_t count = 0;
-    for (int z = 1; z + 1 < size.z; ++z)
-        for (int y = 1; y + 1 < size.y; ++y)
-            for (int x = 1; x + 1 < size.x; ++x) {
-                if (std::abs(at(x, y, z)) > std::min(2.0f, object.band - 1.5f)) continue;
-                sum += static_cast<double>(glm::length(vec3(at(x + 1, y, z) - at(x - 1, y, z),
-                                                            at(x, y + 1, z) - at(x, y - 1, z),
-                                                            at(x, y, z + 1) - at(x, y, z - 1)) *
-                                                       0.5f));
-                ++count;
-            }
-    return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 1.0f;
+using glm::ivec3;
+using glm::vec3;
+using volume::kBrick;
+
+/// Distances are kept this far out [voxel].
+constexpr float kKept = 5;
+
+// From a voxel's centre to its corner [voxel].
+constexpr float kVoxel = 0.8661f;
+
+/// The voxels of a brick that are in the domain.
+volume::IndexBox voxelsOf(const volume::BrickGrid& grid, size_t brick) {
+    const ivec3 low = grid.voxelOf(brick);
+    return {glm::max(low, ivec3(0)), glm::min(low + kBrick, grid.size) - 1};
 }
 
-/// Two neighbours on either side of a boundary are no further apart than one voxel; where nearly
-/// the whole band lies between them, one has lost its sign. Throws DataError naming it.
-void refuseLostSigns(const volume::DenseGrid& dense, float band, const ivec3& origin,
-                     const std::string& where) {
-    const ivec3 size = dense.size, strides(1, size.x, size.x * size.y);
-    const float kMost = 1.5f * band;
-    size_t i = 0;
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x, ++i)
-                for (int axis = 0; axis < 3; ++axis) {
-                    const ivec3 at(x, y, z);
-                    if (at[axis] + 1 == size[axis]) continue;
-                    const float a = dense.values[i];
-                    const float b = dense.values[i + static_cast<size_t>(strides[axis])];
-                    if (std::abs(a - b) <= kMost) continue;
-                    const ivec3 voxel = at + origin;
-                    throw DataError(where + ": the signed distance jumps from " + toText(a) +
-                                    " to " + toText(b) + " beside voxel (" +
-                                    std::to_string(voxel.x) + ", " + std::to_string(voxel.y) +
-                                    ", " + std::to_string(voxel.z) +
-                                    "), expected a change of about a voxel: a sign is lost");
-                }
+template<typename Visit> void forEachVoxel(const volume::IndexBox& box, const Visit& visit) {
+    for (int z = box.min.z; z <= box.max.z; ++z)
+        for (int y = box.min.y; y <= box.max.y; ++y)
+            for (int x = box.min.x; x <= box.max.x; ++x) visit(ivec3(x, y, z));
+}
+
+/// What one brick adds to what is known of an object.
+struct Facts {
+    volume::IndexBox box, inside;
+    double slopes = 0;
+    std::int64_t sloped = 0;
+    unsigned near = 0;         ///< of the 2³ blocks of cells about it, those that are looked up
+    std::optional<ivec3> lost; ///< a voxel beside which a sign is lost
+    int lostAlong = 0;
+};
+
+/// Looks at a brick's voxels, and at those beside them.
+class Look {
+public:
+    Look(const Object& object) : mGrid(object.distance), mBand(object.band) {}
+
+    Facts at(size_t brick) const {
+        Facts facts;
+        const volume::IndexBox own = voxelsOf(mGrid, brick);
+        if (mGrid.page[brick] < 0)
+            lookAtEven(brick, own, facts);
+        else
+            forEachVoxel(own, [&](ivec3 p) { lookAt(p, mGrid.voxelOf(brick) >> 3, facts); });
+        return facts;
+    }
+
+private:
+    void lookAtEven(size_t brick, const volume::IndexBox& own, Facts& facts) const {
+        const float d = mGrid.even[brick];
+        if (d < within()) facts.box = own;
+        if (d < kVoxel) facts.inside = own;
+        // Only its faces have other values beside them.
+        for (int axis = 0; axis < 3; ++axis) {
+            volume::IndexBox face = own;
+            face.min[axis] = face.max[axis];
+            forEachVoxel(face, [&](ivec3 p) { compare(p, axis, d, facts); });
+        }
+        if (std::abs(d) < kNearby) facts.near = 255;
+    }
+
+    /// The voxel is a corner of cells p to p + 1, whose blocks begin where voxels' bricks need not.
+    static unsigned blocksAbout(ivec3 p, ivec3 first) {
+        const ivec3 low = (p >> 3) - first, high = ((p + 1) >> 3) - first;
+        unsigned bits = 0;
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    bits |= 1u << static_cast<unsigned>(4 * z + 2 * y + x);
+        return bits;
+    }
+
+    void lookAt(ivec3 p, ivec3 first, Facts& facts) const {
+        const float d = mGrid.at(p);
+        if (d < within()) facts.box.include({p, p});
+        if (d < kVoxel) facts.inside.include({p, p});
+        if (std::abs(d) < kNearby) facts.near |= blocksAbout(p, first);
+        for (int axis = 0; axis < 3; ++axis) compare(p, axis, d, facts);
+        if (std::abs(d) > std::min(2.0f, mBand - 1.5f) || glm::any(glm::lessThan(p, ivec3(1))) ||
+            glm::any(glm::greaterThan(p, mGrid.size - 2)))
+            return;
+        vec3 rise;
+        for (int axis = 0; axis < 3; ++axis) {
+            ivec3 step(0);
+            step[axis] = 1;
+            rise[axis] = 0.5f * (mGrid.at(p + step) - mGrid.at(p - step));
+        }
+        facts.slopes += static_cast<double>(glm::length(rise));
+        ++facts.sloped;
+    }
+
+    /// Two neighbours on either side of a boundary are no further apart than one voxel; where
+    /// nearly the whole band lies between them, one has lost its sign.
+    void compare(ivec3 p, int axis, float d, Facts& facts) const {
+        if (facts.lost || p[axis] + 1 == mGrid.size[axis]) return;
+        ivec3 next = p;
+        ++next[axis];
+        if (std::abs(d - mGrid.at(next)) <= 1.5f * mBand) return;
+        facts.lost = p;
+        facts.lostAlong = axis;
+    }
+
+    float within() const { return std::min(mBand, kKept); }
+
+    const volume::BrickGrid& mGrid;
+    float mBand;
+};
+
+float bandOf(const volume::BrickGrid& grid) {
+    float band = 0;
+    for (size_t brick = 0; brick < grid.page.size(); ++brick)
+        if (grid.page[brick] < 0) band = std::max(band, std::abs(grid.even[brick]));
+    for (const float d : grid.values) band = std::max(band, std::abs(d));
+    return band;
+}
+
+[[noreturn]] void refuseLostSign(const Object& object, const Facts& facts, float voxelSize,
+                                 const ivec3& origin, const std::string& where) {
+    ivec3 next = *facts.lost;
+    ++next[facts.lostAlong];
+    const ivec3 voxel = *facts.lost + origin;
+    throw DataError(where + ": the signed distance jumps from " +
+                    toText(object.distance.at(*facts.lost) * voxelSize) + " to " +
+                    toText(object.distance.at(next) * voxelSize) + " beside voxel (" +
+                    std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
+                    std::to_string(voxel.z) +
+                    "), expected a change of about a voxel: a sign is lost");
 }
 
 } // namespace
 
 Object readObject(const volume::Volume& volume, const std::string& sdf,
                   const volume::IndexBox& box) {
-    const volume::DenseGrid dense = volume.dense(sdf, box);
     const auto h = static_cast<float>(volume.frame().voxelSize);
     const std::string where = volume.path() + ": grid '" + sdf + "'";
     const float outside = volume.background(sdf, vec3(0)).x;
@@ -75,29 +158,42 @@ Object readObject(const volume::Volume& volume, const std::string& sdf,
         throw DataError(where + ": it is " + toText(outside) +
                         " outside, expected 0 or above: it is inside out");
     Object object;
-    for (float value : dense.values) object.band = std::max(object.band, std::abs(value) / h);
-    refuseLostSigns(dense, object.band * h, box.min, where);
-    // Within the band and inside: nothing else is ever looked up.
-    const ivec3 size = dense.size;
-    const float within = std::min(object.band, kKept) * h;
-    volume::IndexBox& kept = object.box;
-    kept = {size, ivec3(-1)};
-    size_t i = 0;
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x, ++i)
-                if (dense.values[i] < within) {
-                    kept.min = glm::min(kept.min, ivec3(x, y, z));
-                    kept.max = glm::max(kept.max, ivec3(x, y, z));
-                }
-    if (kept.empty()) kept = {ivec3(0), ivec3(0)}; // outside the domain: its first voxel will do
-    object.distance.reserve(static_cast<size_t>(kept.voxels()));
-    for (int z = kept.min.z; z <= kept.max.z; ++z)
-        for (int y = kept.min.y; y <= kept.max.y; ++y)
-            for (int x = kept.min.x; x <= kept.max.x; ++x)
-                object.distance.push_back(
-                    dense.values[(static_cast<size_t>(z) * size.y + y) * size.x + x] / h);
-    object.slope = slopeOf(object);
+    object.distance = volume.bricks(sdf, box);
+    for (float& d : object.distance.even) d /= h;
+    tbb::parallel_for(
+        size_t{0}, object.distance.values.size() / volume::kBrickVoxels, [&](size_t brick) {
+            float* values = object.distance.values.data() + brick * volume::kBrickVoxels;
+            for (int i = 0; i < volume::kBrickVoxels; ++i) values[i] /= h;
+        });
+    object.band = bandOf(object.distance);
+    std::vector<Facts> facts(object.distance.page.size());
+    const Look look(object);
+    tbb::parallel_for(size_t{0}, facts.size(),
+                      [&](size_t brick) { facts[brick] = look.at(brick); });
+    double slopes = 0;
+    std::int64_t sloped = 0;
+    const ivec3 blocks = cellBlocks(box.size());
+    for (size_t brick = 0; brick < facts.size(); ++brick) {
+        const Facts& one = facts[brick];
+        if (one.lost) refuseLostSign(object, one, h, box.min, where);
+        object.box.include(one.box);
+        object.inside.include(one.inside);
+        slopes += one.slopes;
+        sloped += one.sloped;
+        for (unsigned k = 0; k < 8; ++k) {
+            if (((one.near >> k) & 1u) == 0) continue;
+            const ivec3 b =
+                (object.distance.voxelOf(brick) >> 3) + ivec3(k & 1, k >> 1 & 1, k >> 2);
+            if (b == glm::clamp(b, ivec3(0), blocks - 1))
+                object.cells.push_back(
+                    static_cast<std::uint32_t>((b.z * blocks.y + b.y) * blocks.x + b.x));
+        }
+    }
+    std::sort(object.cells.begin(), object.cells.end());
+    object.cells.erase(std::unique(object.cells.begin(), object.cells.end()), object.cells.end());
+    // Outside the domain: its first voxel will do.
+    if (object.box.empty()) object.box = {ivec3(0), ivec3(0)};
+    if (sloped > 0) object.slope = static_cast<float>(slopes / static_cast<double>(sloped));
     return object;
 }
 

@@ -4,21 +4,29 @@
 
 #include "volume/volume.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace eikonal::scene {
 
-/// Distances are kept this far out [voxel].
-constexpr float kKept = 5;
-
-/// One object's boundary over the part of the domain where it is near or inside.
+/// One object's boundary.
 struct Object {
-    volume::IndexBox box;        ///< from the domain's first voxel on
-    std::vector<float> distance; ///< signed, negative inside, x fastest [voxel]
-    float band = 0;              ///< no distance is known beyond [voxel]
-    float slope = 1;             ///< how it grows a voxel on, in the mean near the boundary
+    volume::BrickGrid distance; ///< over the domain: signed, negative inside [voxel]
+    volume::IndexBox box;       ///< where it is, and round it, from the domain's first voxel on
+    /// Blocks of kBrick³ cells that rays look up: those with a corner within kNearby of it. Cell
+    /// (x, y, z) is between voxels (x − 1, y − 1, z − 1) and (x, y, z), so that the domain's faces
+    /// are within cells; blocks are counted with x fastest.
+    std::vector<std::uint32_t> cells;
+    volume::IndexBox inside; ///< the voxels within it, or which its boundary passes
+    float band = 0;          ///< no distance is known beyond [voxel]
+    float slope = 1;         ///< how it grows a voxel on, in the mean near the boundary
 };
+
+/// Blocks of cells along each axis of a domain of that size.
+inline glm::ivec3 cellBlocks(const glm::ivec3& size) {
+    return (size + volume::kBrick) / volume::kBrick;
+}
 
 /// Reads the level set of that name over `box`. Throws DataError if it contradicts itself: negative
 /// outside, or neighbours nearly the whole band apart.

@@ -24,11 +24,10 @@ public:
 
     template<typename Visit> void forEach(const Visit& visit) const {
         const volume::IndexBox box = mObject ? mObject->box : volume::IndexBox{ivec3(0), mSize - 1};
-        size_t i = 0;
         for (int z = box.min.z; z <= box.max.z; ++z)
             for (int y = box.min.y; y <= box.max.y; ++y)
-                for (int x = box.min.x; x <= box.max.x; ++x, ++i)
-                    if (!mObject || mObject->distance[i] < kReach)
+                for (int x = box.min.x; x <= box.max.x; ++x)
+                    if (!mObject || mObject->distance.at({x, y, z}) < kReach)
                         visit((static_cast<size_t>(z) * mSize.y + y) * mSize.x + x);
     }
 

@@ -15,7 +15,7 @@ using glm::vec4;
 #include "shared/transport_params.h"
 
 static_assert(sizeof(FieldParams) == 48);
-static_assert(sizeof(SceneParams) == 80 + 12 * 32 + 13 * 96);
+static_assert(sizeof(SceneParams) == 96 + 13 * 96);
 static_assert(sizeof(TransportParams) == 64);
 
 } // namespace eikonal::scene

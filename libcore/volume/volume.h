@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "base/history.h"
+#include "volume/bricks.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -122,6 +123,8 @@ public:
     /// above 0, coefficients not negative, |g| < 1. Throws DataError naming grid and voxel. A level
     /// set gives its band's half width beyond its band, negative inside.
     DenseGrid dense(const std::string& grid, const IndexBox& box) const;
+    /// The same of a grid of scalars, by bricks: what is even takes no memory.
+    BrickGrid bricks(const std::string& grid, const IndexBox& box) const;
     /// Whether the file holds the grid's numbers in 16 bits.
     bool isStoredInHalf(const std::string& grid) const;
     /// For a grid that must be there: throws DataError "no grid 'ior' (found: density)".

@@ -10,12 +10,13 @@ const int kSceneBlock = 4;     // SceneParams
 
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
-const int kDistancesUnit = 9;    // spline coefficients of signed distances [voxel]
+const int kDistancesUnit = 9;    // spline coefficients of signed distances, by blocks of cells [voxel]
 const int kClearanceUnit = 10;   // how far off any interface is at least [voxel]
-const int kNearbyUnit = 11;      // bits of the objects that hold a voxel or are near it
+const int kNearbyUnit = 11;      // bits of the objects that hold a cube of voxels or are near it
 const int kAbsorptionsUnit = 12; // coefficients that vary within regions [1/voxel], g
 const int kScatteringsUnit = 13; // [1/voxel]
 const int kEmissionsUnit = 14;   // [radiance/voxel]
+const int kBlocksUnit = 15;      // where each object's blocks of cells lie among the distances
 
 // view: textures of blurred media, of light, of what surrounds the scene.
 const int kExtinctionUnit = 1;  // σ_t, or with the source of a grey medium beside it [1/voxel]

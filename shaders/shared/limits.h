@@ -2,6 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const int kMostObjects = 12;          // with sharp boundaries: a voxel's table has 16 bits for them
-const float kNearby = 3.5;            // how near a boundary is noted in a voxel's table [voxel]
+const float kNearby = 3.5;            // how near a boundary is noted in the tables [voxel]
 const float kExactClearance = 4.0;    // beyond, clearances are bounds alone [voxel]
 const uint kNearFull = 0xE0000000u; // a fixed-point sum above this may overflow next
+
+// A block of cells has 8³ of them: 8 texels along x, or 3 that are packed, and 11 along y and z of the atlas
+// of distances. The table of blocks has x + (y << 10) + (z << 20) by a block's place in the atlas, or
+// kFarBlock where no boundary is near, or one more inside the object.
+const int kBlockBits = 3;
+const int kBlockCells = 1 << kBlockBits;
+const int kPackedTexels = 3;
+const int kBlockRows = 11;
+const uint kFarBlock = 0x40000000u;

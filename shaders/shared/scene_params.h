@@ -1,11 +1,6 @@
 // What bounds objects, and what they are made of. Read by C++ and GLSL; vec4-sized members only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-struct ObjectParams {
-    vec4 low;   // xyz: the first voxel of its distances; w: their first texel along z
-    vec4 range; // xyz: from there to their last voxel
-};
-
 // What an object is made of, or what surrounds them all.
 struct RegionParams {
     vec4 index;      // x: n; y: 1 if it varies; z: 1 if opaque
@@ -17,11 +12,11 @@ struct RegionParams {
 };
 
 struct SceneParams {
-    vec4 texel; // xyz: 1 / texels of the distances
-    vec4 voxel; // xyz: 1 / voxels of the domain
-    vec4 page;  // xyz: 1 / texels of coefficients that vary
-    vec4 low;   // xyz: low corner of the box that all boundaries are in [voxel]
-    vec4 high;  // xyz: its high corner
-    ObjectParams objects[kMostObjects];
+    vec4 clearance; // xyz: 1 / voxels that the clearances span; w: voxels along a cube's edge
+    vec4 texel;     // xyz: 1 / texels of the distances
+    vec4 reach;     // xyz: where distances end [voxel]; w: an object's blocks of cells along z
+    vec4 page;      // xyz: 1 / texels of coefficients that vary
+    vec4 low;       // xyz: low corner of the box that all boundaries are in [voxel]
+    vec4 high;      // xyz: its high corner
     RegionParams regions[kMostObjects + 1]; // of each object, then of what surrounds them
 };

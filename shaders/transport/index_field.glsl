@@ -22,7 +22,7 @@ vec4 fieldAt(vec3 x) {
     // Coefficients reach a voxel beyond the faces.
     vec3 at = clamp(x, vec3(-0.999), fieldParams.high.xyz + 0.999);
     vec3 cell = floor(at);
-    vec4 sum = splineAt(field, cell + 1.5, fieldParams.scale.xyz, at - cell);
+    vec4 sum = splineAt(field, kPlainRows, cell + 1.5, fieldParams.scale.xyz, at - cell);
     // The potential that steps of τ see is higher by τ²/24 |∇U|².
     float more = 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz); // n² − n₀²
     // Overshoot beside a jump must not make the index vanish.

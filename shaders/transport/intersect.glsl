@@ -85,15 +85,15 @@ Hit intersect(Segment segment, uint objects, float departs) {
             float free = clearanceAt(pointOn(segment, trial));
             if (kObjects == 1) free *= sideOf(objects, 0);
             ++hit.looks;
-            leaping = free > 2.0 * kRough;
+            leaping = free > 2.0 * roughness();
             if (leaping) {
-                last = free < kExactClearance ? free : -1.0;
+                last = free < exactClearance() ? free : -1.0;
                 s = trial;
                 known = 0u;
                 trial = min(s + freeBy(free), segment.extent);
                 walking = s < segment.extent;
                 leaping = walking && hit.looks < kMostLooks;
-            } else if (kObjects == 1 && last > 0.0 && free > -kRough && trial < segment.extent) {
+            } else if (kObjects == 1 && last > 0.0 && free > -roughness() && trial < segment.extent) {
                 // Close by: where the last two distances point to is a good place to look first.
                 float fall = (last - free) / (trial - s);
                 trial = min(trial + (fall > 0.2 ? free / fall : 0.0), segment.extent);

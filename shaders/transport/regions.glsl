@@ -46,14 +46,14 @@ float roundingAt(vec3 x) {
 // boundary lies along, is before the boundary or, if `behind`, past it: the sign of a distance of rounding's
 // size tells nothing.
 uint objectsAt(vec3 x, vec3 direction, bool behind) {
-    vec3 at = (x + 0.5) * scene.voxel.xyz;
+    vec3 at = (x + 0.5) * scene.clearance.xyz;
     uint inside = kObjects == 1 ? 0u : textureLod(nearby, at, 0.0).x & 0xFFFFu;
     uint close = closeTo(x);
     for (int k = 0; k < kObjects; ++k)
         if (((close >> k) & 1u) == 1u) {
             float free = kObjects == 1 ? clearanceAt(x) : 0.0;
             bool holds = free < 0.0;
-            if (abs(free) < 2.0 * kRough) {
+            if (abs(free) < 2.0 * roughness()) {
                 vec4 found = distanceAt(k, x);
                 float slope = dot(found.xyz, direction);
                 float error = liesAlongFace(x, found.xyz) ? kFlush : roundingAt(x);

@@ -32,7 +32,7 @@ std::vector<Owned> viewBindings() {
 
 std::vector<Owned> sharpViewBindings() {
     return {{"", of({kParamsBlock, kTransportBlock, kSceneBlock}, {kColoursBuffer, kCountersBuffer},
-                    {kDistancesUnit, kClearanceUnit})},
+                    {kDistancesUnit, kClearanceUnit, kBlocksUnit})},
             {"index that varies", of({kFieldBlock}, {}, {kFieldUnit})},
             {"scattering", of({}, {}, {kFluenceUnit})},
             {"lobes", of({}, {}, {kDirectionUnit})},
@@ -58,7 +58,7 @@ std::vector<Owned> photonBindings() {
 
 std::vector<Owned> sharpPhotonBindings() {
     return {{"", of({kParamsBlock, kTransportBlock, kSceneBlock}, kPhotonBuffers,
-                    {kDistancesUnit, kClearanceUnit})},
+                    {kDistancesUnit, kClearanceUnit, kBlocksUnit})},
             {"index that varies", of({kFieldBlock}, {}, {kLeavesUnit, kFieldUnit})},
             {"colour", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2}, {})},
             {"direction", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2, kPlanesBuffer + 3}, {})},

@@ -388,3 +388,37 @@ TEST_F(VolumeTest, PutRefusesWhatNoGridMayHold) {
     expectError(ExitStatus::internal, {"infinite"},
                 [&] { volume.put("fluence", box, values, {}); });
 }
+
+TEST(Bricks, HoldWhatADenseCopyHolds) {
+    // A level set of a ball with its band, and a grid whose every voxel differs, each over a box
+    // that begins and ends within leaves.
+    Volume volume(turnedFrame());
+    const IndexBox box{{-13, 3, 5}, {30, 41, 60}};
+    DenseGrid distances{box.size(), 1, {}};
+    for (int z = 0; z < distances.size.z; ++z)
+        for (int y = 0; y < distances.size.y; ++y)
+            for (int x = 0; x < distances.size.x; ++x)
+                distances.values.push_back(static_cast<float>(
+                    0.25 * (glm::length(glm::dvec3(x, y, z) - glm::dvec3(20, 19, 25)) - 15)));
+    volume.putLevelSet({"", "sdf"}, box, distances, 3);
+    volume.put("ior", kBox, numbered(kBox, 1), {.background = glm::vec3(1), .allActive = true});
+    for (const auto& [grid, part] :
+         {std::pair("sdf", box), std::pair("sdf", IndexBox{{-2, 9, 8}, {17, 33, 31}}),
+          std::pair("ior", kBox)}) {
+        const DenseGrid dense = volume.dense(grid, part);
+        const BrickGrid bricks = volume.bricks(grid, part);
+        ASSERT_EQ(bricks.size, dense.size);
+        size_t i = 0;
+        for (int z = 0; z < dense.size.z; ++z)
+            for (int y = 0; y < dense.size.y; ++y)
+                for (int x = 0; x < dense.size.x; ++x, ++i)
+                    ASSERT_EQ(bricks.at({x, y, z}), dense.values[i]) << x << " " << y << " " << z;
+    }
+    // What is far from the boundary takes no memory.
+    const BrickGrid bricks = volume.bricks("sdf", box);
+    EXPECT_LT(bricks.values.size(), distances.values.size() * 3 / 4);
+    DenseGrid bad = numbered(kBox, 1);
+    bad.values[5] = -2;
+    volume.put("ior", kBox, bad, {.allActive = true});
+    expectError(ExitStatus::data, {"ior", "voxel", "-2"}, [&] { volume.bricks("ior", kBox); });
+}

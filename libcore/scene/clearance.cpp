@@ -1,0 +1,196 @@
+// How far off any boundary is, all over the domain.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/clearance.h"
+
+#include "scene/shared.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+
+namespace eikonal::scene {
+
+namespace {
+
+using glm::ivec3;
+using glm::vec3;
+
+// Cubes along an edge of the table at the most.
+constexpr int kMostCubes = 256;
+
+// From a cube's centre to its corner, by its edge.
+constexpr float kCorner = 0.8661f;
+
+// Distances to far boundaries are found by groups of cubes of this edge [cube].
+constexpr int kGroup = 2;
+
+size_t placeOf(ivec3 size, int x, int y, int z) {
+    return (static_cast<size_t>(z) * size.y + y) * size.x + x;
+}
+
+/// One axis of an exact squared distance transform: the lower envelope of parabolas (Felzenszwalb
+/// and Huttenlocher 2012, Theory of Computing 8:415).
+void transformLine(float* line, size_t stride, int count, std::vector<float>& f,
+                   std::vector<int>& v, std::vector<float>& z) {
+    for (int i = 0; i < count; ++i) f[static_cast<size_t>(i)] = line[i * stride];
+    int k = 0;
+    v[0] = 0;
+    z[0] = -1e20f;
+    z[1] = 1e20f;
+    const auto at = [&](int i) { return f[static_cast<size_t>(i)]; };
+    for (int q = 1; q < count; ++q) {
+        const auto meets = [&](int p) {
+            return ((at(q) + static_cast<float>(q * q)) - (at(p) + static_cast<float>(p * p))) /
+                   static_cast<float>(2 * (q - p));
+        };
+        float s = meets(v[static_cast<size_t>(k)]);
+        while (s <= z[static_cast<size_t>(k)]) s = meets(v[static_cast<size_t>(--k)]);
+        v[static_cast<size_t>(++k)] = q;
+        z[static_cast<size_t>(k)] = s;
+        z[static_cast<size_t>(k) + 1] = 1e20f;
+    }
+    k = 0;
+    for (int q = 0; q < count; ++q) {
+        while (z[static_cast<size_t>(k) + 1] < static_cast<float>(q)) ++k;
+        const int p = v[static_cast<size_t>(k)];
+        line[q * stride] = static_cast<float>((q - p) * (q - p)) + at(p);
+    }
+}
+
+void transform(std::vector<float>& squares, ivec3 size) {
+    const std::array<size_t, 3> strides{1, static_cast<size_t>(size.x),
+                                        static_cast<size_t>(size.x) * size.y};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        tbb::parallel_for(0, size[b], [&](int j) {
+            const auto count = static_cast<size_t>(size[axis]);
+            std::vector<float> f(count), z(count + 1);
+            std::vector<int> v(count);
+            for (int i = 0; i < size[a]; ++i)
+                transformLine(squares.data() + i * strides[static_cast<size_t>(a)] +
+                                  j * strides[static_cast<size_t>(b)],
+                              strides[static_cast<size_t>(axis)], size[axis], f, v, z);
+        });
+    }
+}
+
+/// How far a group's centre is from that of the nearest group that a boundary may pass [group].
+struct Groups {
+    ivec3 size;
+    std::vector<float> distance;
+};
+
+/// `within`: clearances up to which a boundary may pass a cube [voxel].
+Groups farGroups(const BoundaryTable& table, float within) {
+    Groups groups{(table.size + kGroup - 1) / kGroup, {}};
+    groups.distance.assign(placeOf(groups.size, 0, 0, groups.size.z), 1e12f);
+    size_t i = 0;
+    for (int z = 0; z < table.size.z; ++z)
+        for (int y = 0; y < table.size.y; ++y)
+            for (int x = 0; x < table.size.x; ++x, ++i)
+                if (table.clearance[i] <= within)
+                    groups.distance[placeOf(groups.size, x / kGroup, y / kGroup, z / kGroup)] = 0;
+    transform(groups.distance, groups.size);
+    for (float& d : groups.distance) d = std::sqrt(d);
+    return groups;
+}
+
+/// An object's distance at the centres of cubes, and whether it is near them.
+class Cubes {
+public:
+    Cubes(const Object& object, int edge) : mObject(object), mEdge(edge) {}
+
+    /// At the centre [voxel], held back by how far the domain ends before it.
+    float distanceAt(ivec3 cube) const {
+        if (mEdge == 1) return mObject.distance.at(cube);
+        const ivec3 last = mObject.distance.size - 1;
+        const ivec3 p = mEdge * cube + mEdge / 2 - 1;
+        float sum = 0;
+        for (int i = 0; i < 8; ++i)
+            sum += mObject.distance.at(glm::min(p + ivec3(i & 1, i >> 1 & 1, i >> 2), last));
+        const vec3 beyond(glm::max(p + 1 - last, ivec3(0)));
+        const float d = sum / 8;
+        return std::copysign(std::max(std::abs(d) - glm::length(beyond), 0.0f), d);
+    }
+
+    bool nearTo(ivec3 cube, float distance) const {
+        if (mEdge == 1) return std::abs(distance) < kNearby;
+        if (std::abs(distance) >= kNearby + kCorner * static_cast<float>(mEdge)) return false;
+        const ivec3 low = mEdge * cube;
+        const ivec3 high = glm::min(low + mEdge, mObject.distance.size) - 1;
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    if (std::abs(mObject.distance.at({x, y, z})) < kNearby) return true;
+        return false;
+    }
+
+private:
+    const Object& mObject;
+    int mEdge;
+};
+
+/// How far a cube's centre is from the farthest point for which it is the nearest one, less what a
+/// filtered look-up makes good: the way across each of the domain's faces that it lies on [voxel].
+float wayToFaces(ivec3 cube, ivec3 cubes, ivec3 voxels, int edge) {
+    float way = 0;
+    const float half = 0.5f * static_cast<float>(edge);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (cube[axis] == 0) way += half;
+        if (cube[axis] == cubes[axis] - 1)
+            way += std::max(static_cast<float>(voxels[axis] - edge * cube[axis]) - half, 0.0f);
+    }
+    return way;
+}
+
+} // namespace
+
+int tableEdge(const ivec3& size) {
+    int edge = 1;
+    while (std::max({size.x, size.y, size.z}) > kMostCubes * edge) edge *= 2;
+    return edge;
+}
+
+BoundaryTable tabulate(const std::vector<Object>& objects, const ivec3& size) {
+    const bool alone = objects.size() == 1;
+    BoundaryTable table;
+    const int edge = table.edge = tableEdge(size);
+    const ivec3 cubes = table.size = (size + edge - 1) / edge;
+    table.clearance.assign(placeOf(cubes, 0, 0, cubes.z), 1e9f);
+    table.objects.assign(table.clearance.size(), 0);
+    std::vector<float>& nearest = table.clearance;
+    for (size_t k = 0; k < objects.size(); ++k) {
+        const Cubes object(objects[k], edge);
+        tbb::parallel_for(0, cubes.z, [&](int z) {
+            size_t i = placeOf(cubes, 0, 0, z);
+            for (int y = 0; y < cubes.y; ++y)
+                for (int x = 0; x < cubes.x; ++x, ++i) {
+                    const float d = object.distanceAt({x, y, z});
+                    nearest[i] = std::min(nearest[i], std::abs(d));
+                    if (d < 0) table.objects[i] |= 1u << k;
+                    if (object.nearTo({x, y, z}, d)) table.objects[i] |= 1u << (16 + k);
+                }
+        });
+    }
+    // From a cube to its group's centre, to that of a group with a boundary, to a cube of it whose
+    // centre is within kCorner of the boundary.
+    const auto h = static_cast<float>(edge);
+    const Groups groups = farGroups(table, kCorner * h);
+    const float slack = (2 * (kGroup - 1) + 1) * kCorner * h;
+    tbb::parallel_for(0, cubes.z, [&](int z) {
+        size_t i = placeOf(cubes, 0, 0, z);
+        for (int y = 0; y < cubes.y; ++y)
+            for (int x = 0; x < cubes.x; ++x, ++i) {
+                const size_t group = placeOf(groups.size, x / kGroup, y / kGroup, z / kGroup);
+                nearest[i] = std::max(nearest[i], kGroup * h * groups.distance[group] - slack);
+                nearest[i] = std::max(nearest[i] - wayToFaces({x, y, z}, cubes, size, edge), 0.0f);
+                if (alone && (table.objects[i] & 1u)) nearest[i] = -nearest[i];
+            }
+    });
+    return table;
+}
+
+} // namespace eikonal::scene

@@ -1,0 +1,246 @@
+// Objects' distances as splines on the device, where rays look them up.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/distance_atlas.h"
+
+#include "scene/shared.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <tbb/parallel_for.h>
+
+namespace eikonal::scene {
+
+namespace {
+
+using glm::ivec3;
+using glm::vec3;
+using volume::kBrick;
+
+// Coefficients along an edge of a block: a cell's spline has one before it and two behind.
+constexpr int kCoefficients = kBrick + 3;
+static_assert(kCoefficients == kBlockRows && kBrick == kBlockCells);
+// Samples that they are made from: two more on either side.
+constexpr int kSamples = kCoefficients + 4;
+// From a voxel's centre to its corner [voxel].
+constexpr float kVoxel = 0.8661f;
+// Rows that fill more than this are packed [byte].
+constexpr std::int64_t kPlainBytes = std::int64_t{128} << 20;
+
+size_t placeOf(ivec3 size, int x, int y, int z) {
+    return (static_cast<size_t>(z) * size.y + y) * size.x + x;
+}
+
+/// How many blocks lie along each axis of the atlas. It is narrow, so that a block's rows are close
+/// to each other in memory; no edge is above 2048 texels.
+ivec3 atlasOf(std::int64_t blocks) {
+    constexpr int kMost = 2048 / kCoefficients;
+    const auto over = [](std::int64_t a, std::int64_t b) {
+        return static_cast<int>((a + b - 1) / b);
+    };
+    const int x = over(std::max<std::int64_t>(blocks, 1), std::int64_t{kMost} * kMost);
+    const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(blocks) / x)));
+    const int y = std::clamp(side, 1, kMost);
+    return {x, y, std::max(over(blocks, std::int64_t{x} * y), 1)};
+}
+
+std::int64_t blocksOf(const std::vector<Object>& objects) {
+    std::int64_t blocks = 0;
+    for (const Object& object : objects) blocks += static_cast<std::int64_t>(object.cells.size());
+    return blocks;
+}
+
+/// The texels of a block.
+ivec3 texelsOf(bool packed) {
+    return {packed ? kPackedTexels : kBlockCells, kCoefficients, kCoefficients};
+}
+
+ivec3 tableOf(const std::vector<Object>& objects) {
+    ivec3 table = cellBlocks(objects.front().distance.size);
+    table.z *= static_cast<int>(objects.size());
+    return table;
+}
+
+/// The second difference of samples along an axis. Where walls are thin distances have a kink
+/// between both faces, which is not theirs to bend by: there it is the lesser of the neighbours'.
+float bendOf(const float* s, size_t stride) {
+    const auto at = [&](int i) { return s[i * static_cast<std::ptrdiff_t>(stride)]; };
+    const auto second = [&](int i) { return at(i - 1) - 2 * at(i) + at(i + 1); };
+    const float own = second(0);
+    const float kKink = 0.5f; // a ball of two voxels' radius has this
+    if (std::abs(own) <= kKink) return own;
+    const float before = second(-1), behind = second(1);
+    const float least = std::abs(before) < std::abs(behind) ? before : behind;
+    return std::abs(least) <= kKink ? least : 0.0f;
+}
+
+/// Whether a sample in an edge or corner of its box is as near to boundaries on all of the box's
+/// faces there: an edge of the object, where differences of distances tell no slope. `inner` is
+/// the distance a voxel further in from all those faces.
+bool isEdge(ivec3 p, ivec3 size, float distance, float inner, const vec3& rise) {
+    int faces = 0;
+    for (int axis = 0; axis < 3; ++axis) faces += p[axis] == 0 || p[axis] == size[axis] - 1;
+    const vec3 steep = glm::abs(rise);
+    return faces > 1 && std::abs(distance) < kVoxel && std::abs(distance - inner) > 0.5f &&
+           std::max({steep.x, steep.y, steep.z}) < 0.5f;
+}
+
+/// An object's distances, carried on beyond the domain's faces.
+class Samples {
+public:
+    explicit Samples(const volume::BrickGrid& grid) : mGrid(grid) {}
+
+    float at(ivec3 p) const {
+        const ivec3 in = glm::clamp(p, ivec3(0), mGrid.size - 1);
+        return p == in ? mGrid.at(p) : beyond(p, in);
+    }
+
+private:
+    /// Linearly, from the voxel `in` on a face.
+    float beyond(ivec3 p, ivec3 in) const {
+        const ivec3 size = mGrid.size;
+        const float own = mGrid.at(in);
+        ivec3 side(0); // of the faces that `in` is on
+        for (int axis = 0; axis < 3; ++axis)
+            side[axis] = (in[axis] == size[axis] - 1) - (in[axis] == 0);
+        const auto behind = [&](ivec3 step) {
+            return mGrid.at(glm::clamp(in - step, ivec3(0), size - 1));
+        };
+        vec3 rise(0); // outward, over a voxel
+        for (int axis = 0; axis < 3; ++axis) {
+            ivec3 step(0);
+            step[axis] = side[axis] == 0 ? 1 : side[axis];
+            rise[axis] = own - behind(step);
+        }
+        const vec3 off(glm::abs(p - in));
+        return own + (isEdge(in, size, own, behind(side), rise)
+                          ? std::copysign(std::max({off.x, off.y, off.z}), -own)
+                          : glm::dot(off, rise));
+    }
+
+    const volume::BrickGrid& mGrid;
+};
+
+/// The coefficients of a block's cells: c = s − δ²s/6 along each axis. Each is made from its
+/// neighbours alone: they make a spline that follows any cubic exactly, and a crease or the band's
+/// edge is felt no further off.
+std::array<float, kCoefficients * kCoefficients * kCoefficients>
+coefficientsOf(const Samples& samples, ivec3 block) {
+    std::array<float, kSamples * kSamples * kSamples> s;
+    const ivec3 low = kBrick * block - 4;
+    for (int z = 0, i = 0; z < kSamples; ++z)
+        for (int y = 0; y < kSamples; ++y)
+            for (int x = 0; x < kSamples; ++x, ++i)
+                s[static_cast<size_t>(i)] = samples.at(low + ivec3(x, y, z));
+    std::array<float, kCoefficients * kCoefficients * kCoefficients> c;
+    for (int z = 0, i = 0; z < kCoefficients; ++z)
+        for (int y = 0; y < kCoefficients; ++y)
+            for (int x = 0; x < kCoefficients; ++x, ++i) {
+                const float* at = s.data() + placeOf(ivec3(kSamples), x + 2, y + 2, z + 2);
+                float sum = *at;
+                for (const size_t stride : {1, kSamples, kSamples * kSamples})
+                    sum -= bendOf(at, stride) / 6;
+                c[static_cast<size_t>(i)] = sum;
+            }
+    return c;
+}
+
+/// Texel (x, y, z) of a block holds the coefficients x … x + 3 of row (y, z), or 4 x … 4 x + 3.
+void writeBlock(const Samples& samples, ivec3 block, bool packed, float* texels, ivec3 slab) {
+    const auto c = coefficientsOf(samples, block);
+    for (int z = 0; z < kCoefficients; ++z)
+        for (int y = 0; y < kCoefficients; ++y) {
+            const float* row = c.data() + placeOf(ivec3(kCoefficients), 0, y, z);
+            float* out = texels + 4 * placeOf(slab, 0, y, z);
+            if (packed) std::copy(row, row + kCoefficients, out);
+            for (int x = 0; !packed && x < kBlockCells; ++x, ++row, out += 4)
+                std::copy(row, row + 4, out);
+        }
+}
+
+struct Block {
+    const Object* object;
+    ivec3 place; ///< among the object's blocks
+};
+
+std::vector<Block> listBlocks(const std::vector<Object>& objects) {
+    std::vector<Block> list;
+    for (const Object& object : objects) {
+        const ivec3 blocks = cellBlocks(object.distance.size);
+        for (const std::uint32_t cell : object.cells) {
+            const auto b = static_cast<int>(cell);
+            list.push_back(
+                {&object, {b % blocks.x, b / blocks.x % blocks.y, b / blocks.x / blocks.y}});
+        }
+    }
+    return list;
+}
+
+/// The table of blocks as if none were near a boundary.
+std::vector<std::uint32_t> farBlocks(const std::vector<Object>& objects, ivec3 table) {
+    std::vector<std::uint32_t> places(placeOf(table, 0, 0, table.z));
+    const int deep = table.z / static_cast<int>(objects.size());
+    tbb::parallel_for(0, table.z, [&](int z) {
+        const volume::BrickGrid& grid = objects[static_cast<size_t>(z / deep)].distance;
+        for (int y = 0; y < table.y; ++y)
+            for (int x = 0; x < table.x; ++x) {
+                const ivec3 first = glm::min(kBrick * ivec3(x, y, z % deep), grid.size - 1);
+                places[placeOf(table, x, y, z)] = kFarBlock + (grid.at(first) < 0 ? 1u : 0u);
+            }
+    });
+    return places;
+}
+
+} // namespace
+
+bool isPacked(const std::vector<Object>& objects) {
+    const ivec3 texels = texelsOf(false);
+    return blocksOf(objects) * texels.x * texels.y * texels.z * 16 > kPlainBytes;
+}
+
+DistanceAtlas::DistanceAtlas(gpu::Device& device, const std::vector<Object>& objects) {
+    const bool packed = isPacked(objects);
+    const ivec3 block = texelsOf(packed);
+    const std::vector<Block> list = listBlocks(objects);
+    const ivec3 atlas = atlasOf(static_cast<std::int64_t>(list.size())), table = tableOf(objects);
+    std::vector<std::uint32_t> places = farBlocks(objects, table);
+    const int deep = table.z / static_cast<int>(objects.size());
+    mCoefficients =
+        gpu::Texture(device, atlas * block, gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
+    const ivec3 slab(atlas.x * block.x, atlas.y * block.y, block.z);
+    std::vector<float> texels(4 * placeOf(slab, 0, 0, slab.z));
+    const size_t inSlab = static_cast<size_t>(atlas.x) * atlas.y;
+    for (int z = 0; z < atlas.z; ++z) {
+        const size_t first = static_cast<size_t>(z) * inSlab;
+        const size_t count = std::min(inSlab, list.size() - std::min(first, list.size()));
+        tbb::parallel_for(size_t{0}, count, [&](size_t i) {
+            const Block& one = list[first + i];
+            const auto x = static_cast<int>(i) % atlas.x, y = static_cast<int>(i) / atlas.x;
+            const auto k = static_cast<int>(one.object - objects.data());
+            places[placeOf(table, one.place.x, one.place.y, one.place.z + k * deep)] =
+                static_cast<std::uint32_t>(x | y << 10 | z << 20);
+            writeBlock(Samples(one.object->distance), one.place, packed,
+                       texels.data() + 4 * placeOf(slab, x * block.x, y * block.y, 0), slab);
+        });
+        mCoefficients.uploadSlices(z * block.z, block.z, texels.data());
+    }
+    mBlocks = gpu::Texture(device, table, gpu::TexelFormat::r32ui, gpu::Filter::nearest);
+    mBlocks.upload(places.data());
+}
+
+void DistanceAtlas::bind() const {
+    mBlocks.bindSampler(kBlocksUnit);
+    mCoefficients.bindSampler(kDistancesUnit);
+}
+
+std::vector<gpu::Need> atlasNeeds(const std::vector<Object>& objects) {
+    const ivec3 atlas = atlasOf(blocksOf(objects)) * texelsOf(isPacked(objects)),
+                table = tableOf(objects);
+    return {{"the boundaries' distances", std::int64_t{atlas.x} * atlas.y * atlas.z * 16, false,
+             std::max({atlas.x, atlas.y, atlas.z})},
+            {"the table of their blocks", std::int64_t{table.x} * table.y * table.z * 4, false,
+             std::max({table.x, table.y, table.z})}};
+}
+
+} // namespace eikonal::scene
