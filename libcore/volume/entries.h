@@ -57,6 +57,8 @@ struct Volume::Impl {
     VdbBody bodyOf(const Entry& entry) const;
     /// Takes in a grid made under its contract name, in place of one of that name.
     void place(const openvdb::GridBase::Ptr& grid);
+    /// The same of an object's level set, which hands on the metadata of the one it replaces.
+    void placeLevelSet(const ObjectFacts& object, const openvdb::FloatGrid::Ptr& made);
 
 private:
     void readEntry(Entry& entry);

@@ -3,6 +3,7 @@
 #include "volume/level_set.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <openvdb/tools/Dense.h>
 #include <openvdb/tools/Prune.h>
 #include <tbb/parallel_for.h>
@@ -35,6 +36,50 @@ openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const DenseGrid& value
                 leaves[i]->setValueOff(voxel.pos(), value < 0 ? -halfWidth : halfWidth);
         }
     });
+    openvdb::tools::pruneLevelSet(grid->tree());
+    return grid;
+}
+
+openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const BrickGrid& values,
+                                     float halfWidth) {
+    using Leaf = openvdb::FloatTree::LeafNodeType;
+    auto grid = openvdb::FloatGrid::create(halfWidth);
+    const auto coordOf = [&](size_t brick) {
+        const glm::ivec3 p = box.min + values.voxelOf(brick);
+        return openvdb::Coord(p.x, p.y, p.z);
+    };
+    const auto isWhole = [&](size_t brick) {
+        const glm::ivec3 low = values.voxelOf(brick);
+        return low == glm::max(low, glm::ivec3(0)) &&
+               low + kBrick == glm::min(low + kBrick, values.size);
+    };
+    const auto inside = [&](size_t brick) { return values.even[brick] < 0; };
+    std::vector<size_t> uneven; // or inside where the box ends within them
+    for (size_t brick = 0; brick < values.page.size(); ++brick)
+        if (values.page[brick] >= 0 || (inside(brick) && !isWhole(brick)))
+            uneven.push_back(brick);
+        else if (inside(brick))
+            grid->tree().addTile(1, coordOf(brick), -halfWidth, false);
+    std::vector<Leaf*> leaves(uneven.size());
+    tbb::parallel_for(size_t{0}, uneven.size(), [&](size_t i) {
+        const openvdb::Coord low = coordOf(uneven[i]);
+        leaves[i] = new Leaf(low, halfWidth, false);
+        const glm::ivec3 first = values.voxelOf(uneven[i]);
+        const glm::ivec3 from = glm::max(first, glm::ivec3(0));
+        const glm::ivec3 to = glm::min(first + kBrick, values.size);
+        for (int z = from.z; z < to.z; ++z)
+            for (int y = from.y; y < to.y; ++y)
+                for (int x = from.x; x < to.x; ++x) {
+                    const float value = values.at({x, y, z});
+                    const openvdb::Index at = Leaf::coordToOffset(
+                        low + openvdb::Coord(x - first.x, y - first.y, z - first.z));
+                    if (std::abs(value) < halfWidth)
+                        leaves[i]->setValueOn(at, value);
+                    else
+                        leaves[i]->setValueOff(at, value < 0 ? -halfWidth : halfWidth);
+                }
+    });
+    for (Leaf* leaf : leaves) grid->tree().addLeaf(leaf);
     openvdb::tools::pruneLevelSet(grid->tree());
     return grid;
 }

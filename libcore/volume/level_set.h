@@ -11,5 +11,6 @@ namespace eikonal::volume {
 /// A narrow band of values [unit] over `box`, cut to `halfWidth` [unit] either side: what lies
 /// beyond is inactive and keeps its sign.
 openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const DenseGrid& values, float halfWidth);
+openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const BrickGrid& values, float halfWidth);
 
 } // namespace eikonal::volume

@@ -6,6 +6,8 @@
 #include "volume/level_set.h"
 #include "volume/objects.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
@@ -114,19 +116,31 @@ void Volume::putConstant(const std::string& grid, const glm::vec3& value) {
     mImpl->place(made);
 }
 
+void Volume::Impl::placeLevelSet(const ObjectFacts& object, const openvdb::FloatGrid::Ptr& made) {
+    made->setCreator("eikonal");
+    made->setGridClass(openvdb::GRID_LEVEL_SET);
+    const Entry* old = find(object.sdf);
+    if (old && old->grid) inherit(*made, *old->grid);
+    describe(*made, object);
+    made->setName(object.sdf);
+    place(made);
+}
+
 void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
                          double halfWidth) {
     if (const auto wrong = findFault(nullptr, values, box.min))
         throw InternalError("grid '" + object.sdf + "': " + *wrong);
-    const auto made =
-        makeLevelSet(box, values, static_cast<float>(halfWidth * mImpl->frame.voxelSize));
-    made->setCreator("eikonal");
-    made->setGridClass(openvdb::GRID_LEVEL_SET);
-    const Entry* old = mImpl->find(object.sdf);
-    if (old && old->grid) inherit(*made, *old->grid);
-    describe(*made, object);
-    made->setName(object.sdf);
-    mImpl->place(made);
+    const auto far = static_cast<float>(halfWidth * mImpl->frame.voxelSize);
+    mImpl->placeLevelSet(object, makeLevelSet(box, values, far));
+}
+
+void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const BrickGrid& values,
+                         double halfWidth) {
+    for (const std::vector<float>* some : {&values.even, &values.values})
+        if (!std::all_of(some->begin(), some->end(), [](float v) { return std::isfinite(v); }))
+            throw InternalError("grid '" + object.sdf + "': a distance is no number");
+    const auto far = static_cast<float>(halfWidth * mImpl->frame.voxelSize);
+    mImpl->placeLevelSet(object, makeLevelSet(box, values, far));
 }
 
 } // namespace eikonal::volume

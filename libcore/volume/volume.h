@@ -142,6 +142,8 @@ public:
     /// level set replaced hands on its metadata.
     void putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
                      double halfWidth);
+    void putLevelSet(const ObjectFacts& object, const IndexBox& box, const BrickGrid& values,
+                     double halfWidth);
 
     /// A file's string metadata, or "".
     std::string metadata(const std::string& key) const;

@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <tbb/blocked_range3d.h>
+#include <limits>
 #include <tbb/parallel_for.h>
 
 namespace eikonal::voxelize {
@@ -22,6 +24,7 @@ using glm::ivec3;
 
 constexpr double kPiece = 1.0 / 16; // [voxel] where faces cross
 constexpr int kBlock = 32;          // voxels along the edge of what one thread does at a time
+constexpr int kListed = 4;          // of what has a list of faces of its own
 
 /// The mesh in index space [voxel], where voxel i's middle is at i.
 mesh::TriangleMesh inVoxels(const mesh::TriangleMesh& mesh, const Lattice& lattice) {
@@ -36,65 +39,180 @@ bool isOneShell(const mesh::TriangleMesh& mesh) {
     return mesh::findShells(mesh, mesh::sortedEdges(mesh)).size() < 2;
 }
 
+/// The faces that may be nearest to some point of a cube, the one nearest to its middle first.
+using Faces = std::vector<std::uint32_t>;
+
 /// Measures the voxels of blocks that the band may reach.
 class Band {
 public:
-    Band(const mesh::TriangleMesh& boundary, double halfWidth, double voxelSize,
-         volume::DenseGrid& values)
-        : mTree(boundary), mHalfWidth(halfWidth), mVoxelSize(voxelSize), mValues(values) {}
+    Band(const mesh::TriangleMesh& boundary, const Sides& sides, const Lattice& lattice,
+         double halfWidth)
+        : mTree(boundary), mSides(sides), mSize(lattice.size), mHalfWidth(halfWidth),
+          mVoxelSize(lattice.voxelSize), mFar(static_cast<float>(halfWidth * lattice.voxelSize)) {
+        mFaces.reserve(boundary.triangles.size());
+        for (const glm::uvec3& face : boundary.triangles)
+            mFaces.emplace_back(boundary.points[face.x], boundary.points[face.y],
+                                boundary.points[face.z]);
+    }
 
-    void measure() const {
-        const ivec3 blocks = (mValues.size + kBlock - 1) / kBlock;
-        tbb::parallel_for(tbb::blocked_range3d<int>(0, blocks.z, 0, blocks.y, 0, blocks.x),
-                          [&](const tbb::blocked_range3d<int>& some) {
-                              for (int z = some.pages().begin(); z < some.pages().end(); ++z)
-                                  for (int y = some.rows().begin(); y < some.rows().end(); ++y)
-                                      for (int x = some.cols().begin(); x < some.cols().end(); ++x)
-                                          measure(kBlock * ivec3(x, y, z), kBlock,
-                                                  mesh::TriangleTree::kNone);
-                          });
+    volume::BrickGrid measure() const {
+        const ivec3 blocks = (mSize + kBlock - 1) / kBlock;
+        std::vector<Bricks> found(static_cast<size_t>(blocks.x) * blocks.y * blocks.z);
+        tbb::parallel_for(size_t{0}, found.size(), [&](size_t i) {
+            const auto n = static_cast<int>(i);
+            measureBlock(kBlock *
+                             ivec3(n % blocks.x, n / blocks.x % blocks.y, n / blocks.x / blocks.y),
+                         found[i]);
+        });
+        return gathered(found);
     }
 
 private:
-    /// Halves a cube of voxels until it lies beyond the band or is one voxel; `hint` is a face that
-    /// was near the cube around it.
-    void measure(const ivec3& low, int edge, std::uint32_t hint) const {
-        if (glm::any(glm::greaterThanEqual(low, mValues.size))) return;
-        const double toCorner = std::sqrt(3.0) * (edge - 1) / 2, reach = mHalfWidth + toCorner;
-        const auto found = mTree.nearest(dvec3(low) + (edge - 1) / 2.0, reach * reach, hint);
-        if (found.face == mesh::TriangleTree::kNone) return;
-        if (edge == 1) {
-            float& value =
-                mValues
-                    .values[(static_cast<size_t>(low.z) * mValues.size.y + low.y) * mValues.size.x +
-                            low.x];
-            const auto distance = static_cast<float>(std::sqrt(found.squared) * mVoxelSize);
-            value = std::min(distance, std::abs(value)) * (value < 0 ? -1.0f : 1.0f);
-            return;
+    struct Face {
+        dvec3 a, b, c, middle;
+        dvec3 normal{0}; // of length 1; of one without area 0
+        double radius;   // of a disc about the middle that holds it
+
+        Face(const dvec3& first, const dvec3& second, const dvec3& third)
+            : a(first), b(second), c(third), middle((a + b + c) / 3.0),
+              radius(std::sqrt(std::max(
+                         {squareOf(a - middle), squareOf(b - middle), squareOf(c - middle)})) *
+                     (1 + 1e-12)) {
+            const dvec3 across = glm::cross(b - a, c - a);
+            const double area = glm::length(across);
+            if (area > 1e-9 * radius * radius) normal = across / area;
         }
-        for (int i = 0; i < 8; ++i)
-            measure(low + edge / 2 * ivec3(i & 1, i >> 1 & 1, i >> 2), edge / 2, found.face);
+        static double squareOf(const dvec3& v) { return glm::dot(v, v); }
+
+        /// What the squared distance to x is at least: that to its disc, or to a ball without area.
+        double least(const dvec3& x) const {
+            const dvec3 off = x - middle;
+            const double height = glm::dot(normal, off);
+            const double across = std::max(squareOf(off) - height * height, 0.0);
+            const double beyond = across > radius * radius ? std::sqrt(across) - radius : 0.0;
+            return height * height + beyond * beyond;
+        }
+    };
+
+    /// Those of a block that the band reaches.
+    struct Bricks {
+        std::vector<ivec3> low;
+        std::vector<float> values;
+    };
+
+    void measureBlock(const ivec3& low, Bricks& found) const {
+        Faces lists[3];
+        descend(low, kBlock, mesh::TriangleTree::kNone, lists, found);
     }
 
+    /// Halves a cube of voxels until it lies beyond the band or is small; `hint` is a face that was
+    /// near the cube around it.
+    void descend(const ivec3& low, int edge, std::uint32_t hint, Faces (&lists)[3],
+                 Bricks& found) const {
+        if (glm::any(glm::greaterThanEqual(low, mSize))) return;
+        const dvec3 middle = dvec3(low) + (edge - 1) / 2.0;
+        const double toCorner = std::sqrt(3.0) * (edge - 1) / 2, reach = mHalfWidth + toCorner;
+        const auto nearest = mTree.nearest(middle, reach * reach, hint);
+        if (nearest.face == mesh::TriangleTree::kNone) return;
+        if (edge == volume::kBrick) begin(low, found);
+        if (edge == kListed) {
+            mTree.within(middle, std::sqrt(nearest.squared) + 2 * toCorner + kRounding, lists[0]);
+            return measure(low, edge, lists, found);
+        }
+        for (int i = 0; i < 8; ++i)
+            descend(low + edge / 2 * ivec3(i & 1, i >> 1 & 1, i >> 2), edge / 2, nearest.face,
+                    lists, found);
+    }
+
+    /// The same with the faces that may be nearest to any of its points, in the first of the lists.
+    void measure(const ivec3& low, int edge, Faces* lists, Bricks& found) const {
+        if (glm::any(glm::greaterThanEqual(low, mSize))) return;
+        const dvec3 middle = dvec3(low) + (edge - 1) / 2.0;
+        const double toCorner = std::sqrt(3.0) * (edge - 1) / 2;
+        const double squared = nearestOf(middle, lists[0]), distance = std::sqrt(squared);
+        if (distance > mHalfWidth + toCorner) return;
+        if (edge == 1) return store(low, static_cast<float>(distance * mVoxelSize), found);
+        Faces* const own = lists + 1;
+        keepNear(middle, distance + 2 * toCorner + kRounding, lists[0], *own);
+        for (int i = 0; i < 8; ++i)
+            measure(low + edge / 2 * ivec3(i & 1, i >> 1 & 1, i >> 2), edge / 2, own, found);
+    }
+
+    /// The squared distance to the nearest of the faces, which is moved to their front.
+    double nearestOf(const dvec3& x, Faces& faces) const {
+        double squared = std::numeric_limits<double>::max();
+        size_t first = 0;
+        for (size_t i = 0; i < faces.size(); ++i) {
+            const Face& face = mFaces[faces[i]];
+            if (face.least(x) > squared + kRounding) continue;
+            const double own = mesh::squaredDistance(x, face.a, face.b, face.c);
+            if (own >= squared) continue;
+            squared = own;
+            first = i;
+        }
+        std::swap(faces[0], faces[first]);
+        return squared;
+    }
+
+    void keepNear(const dvec3& x, double radius, const Faces& from, Faces& to) const {
+        to.clear();
+        for (const std::uint32_t f : from)
+            if (mFaces[f].least(x) <= radius * radius) to.push_back(f);
+    }
+
+    float signOf(const ivec3& voxel) const { return mSides.inside(voxel) ? -1.0f : 1.0f; }
+
+    /// A brick whose every voxel is beyond the band.
+    void begin(const ivec3& low, Bricks& found) const {
+        found.low.push_back(low);
+        for (int z = 0; z < volume::kBrick; ++z)
+            for (int y = 0; y < volume::kBrick; ++y)
+                for (int x = 0; x < volume::kBrick; ++x)
+                    found.values.push_back(mFar *
+                                           signOf(glm::min(low + ivec3(x, y, z), mSize - 1)));
+    }
+
+    void store(const ivec3& voxel, float distance, Bricks& found) const {
+        const ivec3 p = voxel - found.low.back();
+        float& value = found.values[found.values.size() - volume::kBrickVoxels +
+                                    static_cast<size_t>((p.z * 8 + p.y) * 8 + p.x)];
+        value = std::copysign(std::min(distance, mFar), value);
+    }
+
+    volume::BrickGrid gathered(const std::vector<Bricks>& blocks) const {
+        volume::BrickGrid grid(mSize, ivec3(0), mFar);
+        for (const Bricks& block : blocks) {
+            for (size_t i = 0; i < block.low.size(); ++i)
+                grid.page[grid.brickOf(block.low[i])] =
+                    static_cast<std::int32_t>(grid.values.size() / volume::kBrickVoxels + i);
+            grid.values.insert(grid.values.end(), block.values.begin(), block.values.end());
+        }
+        tbb::parallel_for(size_t{0}, grid.page.size(), [&](size_t brick) {
+            if (grid.page[brick] < 0) grid.even[brick] *= signOf(grid.voxelOf(brick));
+        });
+        return grid;
+    }
+
+    // Faces are left out by more than doubles' rounding [voxel, and its square].
+    static constexpr double kRounding = 1e-9;
+
     mesh::TriangleTree mTree;
+    std::vector<Face> mFaces;
+    const Sides& mSides;
+    ivec3 mSize;
     double mHalfWidth, mVoxelSize;
-    volume::DenseGrid& mValues;
+    float mFar;
 };
 
 } // namespace
 
-volume::DenseGrid signedDistances(const mesh::TriangleMesh& mesh, const Lattice& lattice,
+volume::BrickGrid signedDistances(const mesh::TriangleMesh& mesh, const Lattice& lattice,
                                   double halfWidth) {
-    volume::DenseGrid values;
-    values.size = lattice.size;
-    values.values.resize(static_cast<size_t>(lattice.size.x) * lattice.size.y * lattice.size.z);
     mesh::TriangleMesh surface = inVoxels(mesh, lattice);
-    const bool overlaps =
-        fillSides(surface, static_cast<float>(halfWidth * lattice.voxelSize), values);
+    const Sides sides(surface, lattice.size);
     // Columns may miss that shells overlap by less than a voxel.
-    if (overlaps || !isOneShell(surface)) surface = mesh::solidBoundary(surface, kPiece);
-    Band(surface, halfWidth, lattice.voxelSize, values).measure();
-    return values;
+    if (sides.overlaps() || !isOneShell(surface)) surface = mesh::solidBoundary(surface, kPiece);
+    return Band(surface, sides, lattice, halfWidth).measure();
 }
 
 } // namespace eikonal::voxelize

@@ -86,8 +86,8 @@ void cross(const dvec3* corners, double y, int columns, std::vector<Crossing>& c
 
 } // namespace
 
-bool fillSides(const mesh::TriangleMesh& mesh, float far, volume::DenseGrid& values) {
-    const glm::ivec3 size = values.size;
+Sides::Sides(const mesh::TriangleMesh& mesh, const glm::ivec3& size)
+    : mRows(static_cast<size_t>(size.y)) {
     const FacesOfRows faces(mesh, size.y);
     std::atomic<bool> overlaps = false;
     tbb::parallel_for(0, size.y, [&](int y) {
@@ -103,26 +103,37 @@ bool fillSides(const mesh::TriangleMesh& mesh, float far, volume::DenseGrid& val
             if (a.column != b.column) return a.column < b.column;
             return a.z != b.z ? a.z < b.z : a.step > b.step;
         });
+        Row& row = mRows[static_cast<size_t>(y)];
         size_t next = 0;
         for (int x = 0; x < size.x; ++x) {
             int winding = 0;
-            const auto pass = [&](double z) {
-                for (; next < crossings.size() && crossings[next].column == x &&
-                       crossings[next].z <= z;
-                     ++next) {
-                    winding += crossings[next].step;
-                    if (winding < 0 || winding > 1) overlaps = true;
-                }
-            };
-            for (int z = 0; z < size.z; ++z) {
-                pass(z);
-                values.values[(static_cast<size_t>(z) * size.y + y) * size.x + x] =
-                    winding > 0 ? -far : far;
+            const size_t begin = row.changes.size();
+            for (; next < crossings.size() && crossings[next].column == x; ++next) {
+                const bool was = winding > 0;
+                winding += crossings[next].step;
+                if (winding < 0 || winding > 1) overlaps = true;
+                if (was == (winding > 0)) continue;
+                const auto voxel = static_cast<int>(
+                    std::ceil(std::clamp(crossings[next].z, -1.0, static_cast<double>(size.z))));
+                // Two within one voxel cancel each other.
+                if (row.changes.size() > begin && row.changes.back() == voxel)
+                    row.changes.pop_back();
+                else
+                    row.changes.push_back(voxel);
             }
-            pass(std::numeric_limits<double>::infinity());
+            row.ends.push_back(static_cast<std::uint32_t>(row.changes.size()));
         }
     });
-    return overlaps;
+    mOverlaps = overlaps;
+}
+
+bool Sides::inside(const glm::ivec3& voxel) const {
+    const Row& row = mRows[static_cast<size_t>(voxel.y)];
+    const auto x = static_cast<size_t>(voxel.x);
+    std::uint32_t i = x == 0 ? 0 : row.ends[x - 1];
+    bool inside = false;
+    for (; i < row.ends[x] && row.changes[i] <= voxel.z; ++i) inside = !inside;
+    return inside;
 }
 
 } // namespace eikonal::voxelize

@@ -38,6 +38,16 @@ double distanceTo(const dvec3& x, const TriangleMesh& mesh) {
     return least;
 }
 
+/// Every voxel's, x fastest.
+volume::DenseGrid distancesOf(const TriangleMesh& mesh, const Lattice& lattice, double halfWidth) {
+    const volume::BrickGrid bricks = signedDistances(mesh, lattice, halfWidth);
+    volume::DenseGrid grid{lattice.size, 1, {}};
+    for (int z = 0; z < lattice.size.z; ++z)
+        for (int y = 0; y < lattice.size.y; ++y)
+            for (int x = 0; x < lattice.size.x; ++x) grid.values.push_back(bricks.at({x, y, z}));
+    return grid;
+}
+
 struct Deviation {
     double most = 0;   // of the distance within the band [voxel]
     int wrongSide = 0; // where the distance is no rounding
@@ -67,7 +77,7 @@ Deviation compare(const volume::DenseGrid& grid, const Lattice& lattice, double 
 /// Against all triangles and the winding number, for meshes whose shells do not overlap.
 Deviation compareWithAll(const TriangleMesh& mesh, const Lattice& lattice, double halfWidth,
                          int step) {
-    return compare(signedDistances(mesh, lattice, halfWidth), lattice, halfWidth, step,
+    return compare(distancesOf(mesh, lattice, halfWidth), lattice, halfWidth, step,
                    [&](const dvec3& x) {
                        const double inside = mesh::windingNumber(mesh, x) > 0.5 ? -1 : 1;
                        return inside * distanceTo(x, mesh);
@@ -108,7 +118,7 @@ TEST(Distances, OfBoxesAndThinSlabsAreExact) {
                                     {dvec3(3, 3, 10.13), dvec3(21, 21, 10.83)}}) {
         const Lattice lattice = latticeAt(dvec3(0), 1, ivec3(25, 24, 23), 1);
         const Deviation found =
-            compare(signedDistances(boxShape(low, high), lattice, 6), lattice, 6, 1,
+            compare(distancesOf(boxShape(low, high), lattice, 6), lattice, 6, 1,
                     [&, a = low, b = high](const dvec3& x) { return toBox(x, a, b); });
         EXPECT_LT(found.most, kRounding);
         EXPECT_EQ(found.wrongSide, 0);
@@ -138,7 +148,7 @@ TEST(Distances, SeeOverlappingShellsAsOneSolid) {
           mesh::joined(boxShape(low, high), boxShape(dvec3(7), dvec3(12))),
           mesh::joined(boxShape(low, {9.2, 16.2, 15.1}), boxShape({8.9, 4.3, 4.3}, high)),
           mesh::joined(boxShape(low, {9, 16.2, 15.1}), boxShape({9, 4.3, 4.3}, high))}) {
-        const Deviation found = compare(signedDistances(mesh, lattice, 5), lattice, 5, 1,
+        const Deviation found = compare(distancesOf(mesh, lattice, 5), lattice, 5, 1,
                                         [&](const dvec3& x) { return toBox(x, low, high); });
         EXPECT_LT(found.most, 1.0 / 32);
         EXPECT_EQ(found.wrongSide, 0);
@@ -153,7 +163,7 @@ TEST(Distances, OfFacesThatCrossAreThoseOfTheirUnion) {
     const TriangleMesh mesh =
         mesh::joined(mesh::moved(mesh::icosphere(6, 4), a), mesh::moved(mesh::icosphere(6, 4), b));
     const Lattice lattice = latticeAt(dvec3(0), 1, ivec3(25), 1);
-    const volume::DenseGrid grid = signedDistances(mesh, lattice, 4);
+    const volume::DenseGrid grid = distancesOf(mesh, lattice, 4);
     // Outside, the union's distance is the lesser one; inside, near the seam, it is larger.
     for (size_t i = 0; i < grid.values.size(); ++i) {
         const auto n = static_cast<int>(i);
@@ -176,7 +186,7 @@ TEST(Distances, HaveTheSideThatCoverageCounts) {
         mesh::moved(mesh::uvSphere(5, 600), dvec3(18.3, 12.2, 12.9)));
     const Lattice lattice = latticeAt(dvec3(0), 1, ivec3(28, 24, 22), 1);
     const std::vector<std::uint16_t> counts = countsOf(mesh, lattice);
-    const volume::DenseGrid grid = signedDistances(mesh, lattice, 3);
+    const volume::DenseGrid grid = distancesOf(mesh, lattice, 3);
     int inside = 0, differing = 0;
     for (size_t i = 0; i < counts.size(); ++i) {
         inside += counts[i];
