@@ -8,6 +8,7 @@
 #include "volume/entries.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <openvdb/openvdb.h>
 #include <tbb/parallel_for.h>
 
@@ -92,11 +93,17 @@ void check(const GridRule* rule, const BrickGrid& grid, const IndexBox& box,
 
 } // namespace
 
-BrickGrid::BrickGrid(const ivec3& boxSize, const ivec3& firstVoxel, float value)
-    : size(boxSize), first(firstVoxel), bricks((boxSize - firstVoxel + kBrick - 1) / kBrick) {
+BrickGrid::BrickGrid(const ivec3& boxSize, const ivec3& firstVoxel, float value, int perVoxel)
+    : components(perVoxel), size(boxSize), first(firstVoxel),
+      bricks((boxSize - firstVoxel + kBrick - 1) / kBrick) {
     const size_t count = static_cast<size_t>(bricks.x) * bricks.y * bricks.z;
     page.assign(count, -1);
-    even.assign(count, value);
+    even.assign(count * static_cast<size_t>(components), value);
+}
+
+bool BrickGrid::isCut(size_t brick) const {
+    const ivec3 low = voxelOf(brick);
+    return low != glm::max(low, ivec3(0)) || low + kBrick != glm::min(low + kBrick, size);
 }
 
 ivec3 BrickGrid::voxelOf(size_t brick) const {

@@ -1,4 +1,4 @@
-// A scalar grid as bricks of voxels, most of which are one value everywhere.
+// A grid as bricks of voxels, most of which are one value everywhere.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,29 +15,33 @@ constexpr int kBrickVoxels = kBrick * kBrick * kBrick;
 /// Values at voxels of a box, whose first is at the origin. Bricks lie where OpenVDB's leaves do,
 /// so that the first of them may begin before the box.
 struct BrickGrid {
+    int components = 1;
     glm::ivec3 size{0};             ///< of the box [voxel]
     glm::ivec3 first{0};            ///< of the first brick's first voxel, −7 to 0
     glm::ivec3 bricks{0};           ///< along each axis
     std::vector<std::int32_t> page; ///< per brick, x fastest: its place in `values`; −1: it is even
-    std::vector<float> even;        ///< per brick: its value where it is even
-    std::vector<float> values;      ///< kBrickVoxels each, x fastest
+    std::vector<float> even;        ///< per brick and component: its value where it is even
+    std::vector<float> values;      ///< kBrickVoxels each, x fastest, components interleaved
 
     BrickGrid() = default;
     /// All bricks are even, of that value.
-    BrickGrid(const glm::ivec3& size, const glm::ivec3& first, float value);
+    BrickGrid(const glm::ivec3& size, const glm::ivec3& first, float value, int components = 1);
 
     size_t brickOf(const glm::ivec3& voxel) const {
         const glm::ivec3 b = (voxel - first) / kBrick;
         return (static_cast<size_t>(b.z) * bricks.y + b.y) * bricks.x + b.x;
     }
     /// The value at a voxel of the box.
-    float at(const glm::ivec3& voxel) const {
+    float at(const glm::ivec3& voxel, int component = 0) const {
         const size_t brick = brickOf(voxel);
-        if (page[brick] < 0) return even[brick];
-        const glm::ivec3 p = voxel - first;
-        return values[static_cast<size_t>(page[brick]) * kBrickVoxels +
-                      static_cast<size_t>(((p.z & 7) * kBrick + (p.y & 7)) * kBrick + (p.x & 7))];
+        const auto c = static_cast<size_t>(component), count = static_cast<size_t>(components);
+        if (page[brick] < 0) return even[brick * count + c];
+        const glm::ivec3 p = (voxel - first) & (kBrick - 1);
+        const auto place = static_cast<size_t>((p.z * kBrick + p.y) * kBrick + p.x);
+        return values[(static_cast<size_t>(page[brick]) * kBrickVoxels + place) * count + c];
     }
+    /// Whether the box ends within a brick.
+    bool isCut(size_t brick) const;
     /// The first voxel of a brick; of one at the rim it may lie outside the box.
     glm::ivec3 voxelOf(size_t brick) const;
 };

@@ -48,15 +48,10 @@ openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const BrickGrid& value
         const glm::ivec3 p = box.min + values.voxelOf(brick);
         return openvdb::Coord(p.x, p.y, p.z);
     };
-    const auto isWhole = [&](size_t brick) {
-        const glm::ivec3 low = values.voxelOf(brick);
-        return low == glm::max(low, glm::ivec3(0)) &&
-               low + kBrick == glm::min(low + kBrick, values.size);
-    };
     const auto inside = [&](size_t brick) { return values.even[brick] < 0; };
     std::vector<size_t> uneven; // or inside where the box ends within them
     for (size_t brick = 0; brick < values.page.size(); ++brick)
-        if (values.page[brick] >= 0 || (inside(brick) && !isWhole(brick)))
+        if (values.page[brick] >= 0 || (inside(brick) && values.isCut(brick)))
             uneven.push_back(brick);
         else if (inside(brick))
             grid->tree().addTile(1, coordOf(brick), -halfWidth, false);

@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/Dense.h>
 #include <openvdb/tools/Prune.h>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::volume {
 
@@ -34,6 +36,54 @@ typename GridT::Ptr copyIn(const IndexBox& box, const DenseGrid& in,
         toBox(box), const_cast<Value*>(reinterpret_cast<const Value*>(in.values.data())));
     openvdb::tools::copyFromDense(dense, *grid, openvdb::zeroVal<Value>());
     if (allActive) openvdb::tools::changeBackground(grid->tree(), background);
+    openvdb::tools::prune(grid->tree());
+    return grid;
+}
+
+template<typename Value> Value valueAt(const BrickGrid& grid, const glm::ivec3& p) {
+    if constexpr (openvdb::VecTraits<Value>::IsVec)
+        return {grid.at(p, 0), grid.at(p, 1), grid.at(p, 2)};
+    else
+        return grid.at(p);
+}
+
+/// A tree of bricks: of what is even, tiles.
+template<typename GridT>
+typename GridT::Ptr copyIn(const IndexBox& box, const BrickGrid& in,
+                           const typename GridT::ValueType& background, bool allActive) {
+    using Value = typename GridT::ValueType;
+    using Leaf = typename GridT::TreeType::LeafNodeType;
+    auto grid = GridT::create(background);
+    std::vector<size_t> uneven;
+    for (size_t brick = 0; brick < in.page.size(); ++brick) {
+        const glm::ivec3 low = in.voxelOf(brick), p = box.min + low;
+        if (in.page[brick] >= 0 || in.isCut(brick)) {
+            uneven.push_back(brick);
+            continue;
+        }
+        const auto value = valueAt<Value>(in, low);
+        if (allActive || value != background)
+            grid->tree().addTile(1, openvdb::Coord(p.x, p.y, p.z), value, true);
+    }
+    std::vector<Leaf*> leaves(uneven.size());
+    tbb::parallel_for(size_t{0}, uneven.size(), [&](size_t i) {
+        const glm::ivec3 first = in.voxelOf(uneven[i]), p = box.min + first;
+        leaves[i] = new Leaf(openvdb::Coord(p.x, p.y, p.z), background, false);
+        const glm::ivec3 from = glm::max(first, glm::ivec3(0)) - first;
+        const glm::ivec3 to = glm::min(first + kBrick, in.size) - first;
+        for (int x = from.x; x < to.x; ++x)
+            for (int y = from.y; y < to.y; ++y)
+                for (int z = from.z; z < to.z; ++z) {
+                    const auto value = valueAt<Value>(in, first + glm::ivec3(x, y, z));
+                    if (allActive || value != background)
+                        leaves[i]->setValueOn(Leaf::coordToOffset(openvdb::Coord(x, y, z)), value);
+                }
+    });
+    for (Leaf* leaf : leaves)
+        if (leaf->isEmpty())
+            delete leaf;
+        else
+            grid->tree().addLeaf(leaf);
     openvdb::tools::prune(grid->tree());
     return grid;
 }
@@ -64,6 +114,13 @@ template<typename Floats, typename Doubles> void keepActive(Floats& made, const 
     openvdb::tools::prune(made.tree());
 }
 
+void describe(GridBase& made, const std::string& name, const PutOptions& options) {
+    made.setName(name);
+    if (!options.vectorType.empty())
+        made.setVectorType(options.vectorType == "vector" ? openvdb::VEC_CONTRAVARIANT_RELATIVE
+                                                          : openvdb::VEC_INVARIANT);
+}
+
 } // namespace
 
 void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
@@ -88,15 +145,29 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
             keepActive<FloatGrid, openvdb::DoubleGrid>(*scalars, *old->grid);
         made = scalars;
     }
-    made->setName(grid);
-    if (old)
+    if (old) {
+        made->setName(grid);
         inherit(*made, *old->grid);
-    else
+    } else {
         made->setCreator("eikonal");
-    made->setName(grid);
-    if (!options.vectorType.empty())
-        made->setVectorType(options.vectorType == "vector" ? openvdb::VEC_CONTRAVARIANT_RELATIVE
-                                                           : openvdb::VEC_INVARIANT);
+    }
+    describe(*made, grid, options);
+    mImpl->place(made);
+}
+
+void Volume::put(const std::string& grid, const IndexBox& box, const BrickGrid& values,
+                 const PutOptions& options) {
+    for (const std::vector<float>* some : {&values.even, &values.values})
+        if (!std::all_of(some->begin(), some->end(), [](float v) { return std::isfinite(v); }))
+            throw InternalError("grid '" + grid + "': a value is no number");
+    GridBase::Ptr made;
+    const glm::vec3 b = options.background;
+    if (values.components == 3)
+        made = copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
+    else
+        made = copyIn<FloatGrid>(box, values, b.x, options.allActive);
+    made->setCreator("eikonal");
+    describe(*made, grid, options);
     mImpl->place(made);
 }
 

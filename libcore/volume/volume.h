@@ -134,6 +134,9 @@ public:
     /// its metadata (class, creator, the user's own). Throws InternalError on a NaN or infinity.
     void put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
              const PutOptions& options);
+    /// The same of bricks, for a grid that replaces none.
+    void put(const std::string& grid, const IndexBox& box, const BrickGrid& values,
+             const PutOptions& options);
     /// Adds or replaces a grid of the contract that is `value` everywhere: no active voxel, so that
     /// it costs nothing. Scalars take the first component.
     void putConstant(const std::string& grid, const glm::vec3& value);

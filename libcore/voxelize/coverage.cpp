@@ -3,8 +3,10 @@
 #include "voxelize/coverage.h"
 
 #include "base/error.h"
+#include "volume/bricks.h"
 
 #include <algorithm>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::voxelize {
 
@@ -18,8 +20,10 @@ std::int64_t rowBytes(const Lattice& lattice) {
 }
 
 int rowsOf(const Lattice& lattice, std::int64_t stripBytes) {
+    // Whole bricks.
+    const std::int64_t bricks = stripBytes / rowBytes(lattice) / volume::kBrick;
     return static_cast<int>(
-        std::clamp<std::int64_t>(stripBytes / rowBytes(lattice), 1, lattice.size.y));
+        std::min<std::int64_t>(std::max<std::int64_t>(bricks, 1) * volume::kBrick, lattice.size.y));
 }
 
 } // namespace
@@ -66,7 +70,11 @@ void Coverage::count(FacetSource& mesh, int firstRow, int rows,
     const std::int64_t voxels = std::int64_t{mLattice.size.x} * rows * mLattice.size.z;
     mDownload.resize(static_cast<size_t>(voxels));
     mChanges.download(mDownload.data(), voxels * 4);
-    counts.assign(mDownload.begin(), mDownload.end());
+    counts.resize(mDownload.size());
+    tbb::parallel_for(0, mLattice.size.z, [&](int z) {
+        const std::ptrdiff_t plane = std::ptrdiff_t{mLattice.size.x} * rows;
+        std::copy_n(mDownload.begin() + z * plane, plane, counts.begin() + z * plane);
+    });
 }
 
 } // namespace eikonal::voxelize

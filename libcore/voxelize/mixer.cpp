@@ -5,10 +5,46 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <numeric>
 #include <tbb/parallel_for.h>
 
 namespace eikonal::voxelize {
+
+/// The counts of a brick's voxels.
+class Mixer::Brick {
+public:
+    /// `first` is its first voxel in a strip of that size.
+    Brick(const Counts& counts, const glm::ivec3& strip, const glm::ivec3& first)
+        : mCounts(counts), mStrip(strip), mFirst(first),
+          mSize(glm::min(strip - first, glm::ivec3(volume::kBrick))) {}
+
+    const glm::ivec3& size() const { return mSize; }
+    size_t placeOf(int x, int y, int z) const {
+        return (static_cast<size_t>(mFirst.z + z) * mStrip.y + mFirst.y + y) * mStrip.x + mFirst.x +
+               x;
+    }
+    int at(size_t object, size_t place) const { return mCounts[object][place]; }
+    bool isEven() const {
+        return std::all_of(mCounts.begin(), mCounts.end(),
+                           [this](const auto& own) { return isEven(own); });
+    }
+
+private:
+    bool isEven(const std::vector<std::uint16_t>& own) const {
+        const std::uint16_t value = own[placeOf(0, 0, 0)];
+        for (int z = 0; z < mSize.z; ++z)
+            for (int y = 0; y < mSize.y; ++y) {
+                const std::uint16_t* row = own.data() + placeOf(0, y, z);
+                for (int x = 0; x < mSize.x; ++x)
+                    if (row[x] != value) return false;
+            }
+        return true;
+    }
+
+    const Counts& mCounts;
+    glm::ivec3 mStrip, mFirst, mSize;
+};
 
 Mixer::Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice& lattice)
     : mParams(params), mSize(lattice.size), mMost(lattice.most()), mOrder(params.objects.size()),
@@ -18,14 +54,11 @@ Mixer::Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice
         const int pa = params.objects[a].priority, pb = params.objects[b].priority;
         return pa != pb ? pa > pb : a > b;
     });
-    const size_t voxels = static_cast<size_t>(mSize.x) * mSize.y * mSize.z;
     for (Grid grid : grids) {
         Filled made;
         made.grid = grid;
         made.fallback = fallbackOf(params, grid);
-        made.dense.size = mSize;
-        made.dense.components = componentsOf(grid);
-        made.dense.values.resize(voxels * static_cast<size_t>(made.dense.components));
+        made.bricks = volume::BrickGrid(mSize, glm::ivec3(0), 0, componentsOf(grid));
         const auto add = [&](const Material& material) {
             made.values.push_back(valueOf(material, grid));
             made.weights.push_back(weightOf(material, grid));
@@ -37,52 +70,87 @@ Mixer::Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice
     }
 }
 
-void Mixer::mix(const std::vector<std::vector<std::uint16_t>>& counts, int firstRow, int rows) {
-    std::vector<Tally> tallies(static_cast<size_t>(mSize.z));
-    tbb::parallel_for(0, mSize.z, [&](int z) {
-        Tally& tally = tallies[static_cast<size_t>(z)];
-        tally.covered.resize(mCovered.size());
-        for (int y = 0; y < rows; ++y) {
-            const size_t from = (static_cast<size_t>(z) * rows + y) * mSize.x;
-            const size_t to = (static_cast<size_t>(z) * mSize.y + firstRow + y) * mSize.x;
-            mixRow(counts, from, to, tally);
-        }
+void Mixer::mix(const Counts& counts, int firstRow, int rows) {
+    const glm::ivec3 strip(mSize.x, rows, mSize.z);
+    const glm::ivec3 bricks = (strip + volume::kBrick - 1) / volume::kBrick;
+    const int deep = (mSize.y + volume::kBrick - 1) / volume::kBrick;
+    std::vector<Slab> slabs(static_cast<size_t>(bricks.y) * bricks.z);
+    tbb::parallel_for(size_t{0}, slabs.size(), [&](size_t i) {
+        slabs[i].covered.resize(mCovered.size());
+        slabs[i].values.resize(mGrids.size());
+        const int y = static_cast<int>(i) % bricks.y, z = static_cast<int>(i) / bricks.y;
+        size_t place = (static_cast<size_t>(z) * deep + firstRow / volume::kBrick + y) * bricks.x;
+        for (int x = 0; x < bricks.x; ++x, ++place)
+            mixBrick(Brick(counts, strip, volume::kBrick * glm::ivec3(x, y, z)), place, slabs[i]);
     });
-    for (const Tally& tally : tallies) {
-        mOccupied += tally.occupied;
-        for (size_t k = 0; k < mCovered.size(); ++k) mCovered[k] += tally.covered[k];
-    }
+    for (const Slab& slab : slabs) takeIn(slab);
 }
 
-/// One row along x: `from` is its first voxel in the strip, `to` in the volume.
-void Mixer::mixRow(const std::vector<std::vector<std::uint16_t>>& counts, size_t from, size_t to,
-                   Tally& tally) {
-    const size_t objects = counts.size();
-    std::vector<int> shares(objects + 1); // the medium's last
-    for (size_t x = 0; x < static_cast<size_t>(mSize.x); ++x) {
-        int left = mMost;
-        for (size_t k : mOrder) {
-            const int covered = counts[k][from + x];
-            tally.covered[k] += covered > 0;
-            shares[k] = std::min(covered, left);
-            left -= shares[k];
+void Mixer::mixBrick(const Brick& brick, size_t place, Slab& slab) {
+    std::vector<int> shares(mCovered.size() + 1); // the medium's last
+    const glm::ivec3 size = brick.size();
+    if (brick.isEven()) {
+        tally(brick, brick.placeOf(0, 0, 0), std::int64_t{size.x} * size.y * size.z, shares, slab);
+        for (size_t g = 0; g < mGrids.size(); ++g) {
+            volume::BrickGrid& grid = mGrids[g].bricks;
+            store(shares, g, grid.even.data() + place * static_cast<size_t>(grid.components));
         }
-        tally.occupied += left < mMost;
-        shares[objects] = left;
-        store(to + x, shares);
+        return;
     }
+    std::vector<size_t> begin;
+    for (size_t g = 0; g < mGrids.size(); ++g) {
+        begin.push_back(slab.values[g].size());
+        slab.values[g].resize(begin.back() + volume::kBrickVoxels *
+                                                 static_cast<size_t>(mGrids[g].bricks.components));
+    }
+    slab.uneven.push_back(place);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                tally(brick, brick.placeOf(x, y, z), 1, shares, slab);
+                const auto voxel =
+                    static_cast<size_t>((z * volume::kBrick + y) * volume::kBrick + x);
+                for (size_t g = 0; g < mGrids.size(); ++g)
+                    store(shares, g,
+                          slab.values[g].data() + begin[g] +
+                              voxel * static_cast<size_t>(mGrids[g].bricks.components));
+            }
+}
+
+/// Counts `times` voxels like this one, and shares its samples out, what is left to the medium.
+void Mixer::tally(const Brick& brick, size_t voxel, std::int64_t times, std::vector<int>& shares,
+                  Slab& slab) const {
+    int left = mMost;
+    for (size_t k : mOrder) {
+        const int covered = brick.at(k, voxel);
+        slab.covered[k] += covered > 0 ? times : 0;
+        shares[k] = std::min(covered, left);
+        left -= shares[k];
+    }
+    slab.occupied += left < mMost ? times : 0;
+    shares.back() = left;
 }
 
 /// The mean of the materials' values by share and weight.
-void Mixer::store(size_t voxel, const std::vector<int>& shares) {
+void Mixer::store(const std::vector<int>& shares, size_t grid, float* out) const {
     // Nearly every voxel has one material, whose values are at hand.
+    const Filled& filled = mGrids[grid];
     size_t only = 0;
     while (only < shares.size() && shares[only] != mMost) ++only;
-    for (Filled& grid : mGrids) {
-        const glm::vec3 value = only < shares.size() ? grid.alone[only] : meanOf(grid, shares);
-        const auto components = static_cast<size_t>(grid.dense.components);
-        for (size_t c = 0; c < components; ++c)
-            grid.dense.values[voxel * components + c] = value[static_cast<int>(c)];
+    const glm::vec3 value = only < shares.size() ? filled.alone[only] : meanOf(filled, shares);
+    for (int c = 0; c < filled.bricks.components; ++c) out[c] = value[c];
+}
+
+void Mixer::takeIn(const Slab& slab) {
+    mOccupied += slab.occupied;
+    for (size_t k = 0; k < mCovered.size(); ++k) mCovered[k] += slab.covered[k];
+    for (size_t g = 0; g < mGrids.size(); ++g) {
+        volume::BrickGrid& grid = mGrids[g].bricks;
+        const size_t begin =
+            grid.values.size() / volume::kBrickVoxels / static_cast<size_t>(grid.components);
+        for (size_t i = 0; i < slab.uneven.size(); ++i)
+            grid.page[slab.uneven[i]] = static_cast<std::int32_t>(begin + i);
+        grid.values.insert(grid.values.end(), slab.values[g].begin(), slab.values[g].end());
     }
 }
 
@@ -103,15 +171,18 @@ size_t Mixer::indexOf(Grid grid) const {
     throw InternalError("grid '" + nameOf(grid) + "' was not mixed");
 }
 
-volume::DenseGrid Mixer::take(Grid grid) {
-    return std::move(mGrids[indexOf(grid)].dense);
+volume::BrickGrid Mixer::take(Grid grid) {
+    return std::move(mGrids[indexOf(grid)].bricks);
 }
 
 bool Mixer::showsSomething(Grid grid) const {
-    const volume::DenseGrid& dense = mGrids[indexOf(grid)].dense;
+    const volume::BrickGrid& bricks = mGrids[indexOf(grid)].bricks;
     const auto none = static_cast<float>(backgroundOf(mParams, grid).x);
-    return std::any_of(dense.values.begin(), dense.values.end(),
-                       [none](float value) { return value != none; });
+    const auto shows = [none](float value) { return value != none; };
+    const auto components = static_cast<size_t>(bricks.components);
+    for (size_t i = 0; i < bricks.even.size(); ++i)
+        if (bricks.page[i / components] < 0 && shows(bricks.even[i])) return true;
+    return std::any_of(bricks.values.begin(), bricks.values.end(), shows);
 }
 
 } // namespace eikonal::voxelize

@@ -22,7 +22,8 @@ public:
     /// `params` must outlive the mixer.
     Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice& lattice);
 
-    /// `counts` holds per object the samples inside, of rows [firstRow, firstRow + rows).
+    /// `counts` holds per object the samples inside, of rows [firstRow, firstRow + rows), which
+    /// begin with a brick's and end with one's or with the volume's.
     void mix(const std::vector<std::vector<std::uint16_t>>& counts, int firstRow, int rows);
 
     /// Voxels that some object covers, and those that object `k` covers.
@@ -30,27 +31,34 @@ public:
     std::int64_t covered(size_t k) const { return mCovered[k]; }
 
     /// Hands over the values of a grid.
-    volume::DenseGrid take(Grid grid);
+    volume::BrickGrid take(Grid grid);
     /// Whether any value of a filled grid is not the background.
     bool showsSomething(Grid grid) const;
 
 private:
     struct Filled {
         Grid grid{};
-        volume::DenseGrid dense;
+        volume::BrickGrid bricks;
         glm::dvec3 fallback{0};
         std::vector<glm::dvec3> values; // per object, the medium last
         std::vector<double> weights;
         std::vector<glm::vec3> alone; // what is stored where there is nothing else
     };
-    struct Tally {
+    /// A row of bricks along x, mixed.
+    struct Slab {
         std::int64_t occupied = 0;
         std::vector<std::int64_t> covered;
+        std::vector<size_t> uneven;             ///< bricks
+        std::vector<std::vector<float>> values; ///< of them, per grid
     };
-    void mixRow(const std::vector<std::vector<std::uint16_t>>& counts, size_t from, size_t to,
-                Tally& tally);
-    void store(size_t voxel, const std::vector<int>& shares);
+    using Counts = std::vector<std::vector<std::uint16_t>>;
+    class Brick;
+    void mixBrick(const Brick& brick, size_t place, Slab& slab);
+    void tally(const Brick& brick, size_t voxel, std::int64_t times, std::vector<int>& shares,
+               Slab& slab) const;
+    void store(const std::vector<int>& shares, size_t grid, float* out) const;
     static glm::vec3 meanOf(const Filled& grid, const std::vector<int>& shares);
+    void takeIn(const Slab& slab);
     size_t indexOf(Grid grid) const;
 
     const Params& mParams;

@@ -79,14 +79,14 @@ void putGrids(volume::Volume& volume, const Params& params, const Plan& plan, Mi
             for (Effect& effect : stats.effects)
                 if (effect.name == nameOf(grid))
                     effect = {effect.name, false, effect.why + ", but fills no voxel"};
-        const volume::DenseGrid dense = mixer.take(grid);
+        const volume::BrickGrid bricks = mixer.take(grid);
         if (!shows) continue;
         volume::PutOptions options;
         options.background = backgroundOf(params, grid);
         // The index tells every reader where the domain ends.
         options.allActive = grid == Grid::ior;
         options.vectorType = componentsOf(grid) == 3 ? "color" : "";
-        volume.put(nameOf(grid), plan.box, dense, options);
+        volume.put(nameOf(grid), plan.box, bricks, options);
     }
 }
 
