@@ -71,9 +71,9 @@ void Coverage::count(FacetSource& mesh, int firstRow, int rows,
     mDownload.resize(static_cast<size_t>(voxels));
     mChanges.download(mDownload.data(), voxels * 4);
     counts.resize(mDownload.size());
-    tbb::parallel_for(0, mLattice.size.z, [&](int z) {
-        const std::ptrdiff_t plane = std::ptrdiff_t{mLattice.size.x} * rows;
-        std::copy_n(mDownload.begin() + z * plane, plane, counts.begin() + z * plane);
+    tbb::parallel_for(0, rows, [&](int row) {
+        const std::ptrdiff_t plane = std::ptrdiff_t{mLattice.size.x} * mLattice.size.z;
+        std::copy_n(mDownload.begin() + row * plane, plane, counts.begin() + row * plane);
     });
 }
 

@@ -31,7 +31,7 @@ public:
     int rowsPerStrip() const { return mRows; }
 
     /// The samples inside `mesh`, 0 to S³, of rows [firstRow, firstRow + rows), at most
-    /// rowsPerStrip(): x fastest, then y, z. Shells that overlap count as one solid, but in voxels
+    /// rowsPerStrip(): z fastest, then x, y. Shells that overlap count as one solid, but in voxels
     /// where both their surfaces pass up to twice the shared part is counted.
     void count(FacetSource& mesh, int firstRow, int rows, std::vector<std::uint16_t>& counts);
 

@@ -21,8 +21,8 @@ public:
 
     const glm::ivec3& size() const { return mSize; }
     size_t placeOf(int x, int y, int z) const {
-        return (static_cast<size_t>(mFirst.z + z) * mStrip.y + mFirst.y + y) * mStrip.x + mFirst.x +
-               x;
+        return (static_cast<size_t>(mFirst.y + y) * mStrip.x + mFirst.x + x) * mStrip.z + mFirst.z +
+               z;
     }
     int at(size_t object, size_t place) const { return mCounts[object][place]; }
     bool isEven() const {
@@ -33,11 +33,11 @@ public:
 private:
     bool isEven(const std::vector<std::uint16_t>& own) const {
         const std::uint16_t value = own[placeOf(0, 0, 0)];
-        for (int z = 0; z < mSize.z; ++z)
-            for (int y = 0; y < mSize.y; ++y) {
-                const std::uint16_t* row = own.data() + placeOf(0, y, z);
-                for (int x = 0; x < mSize.x; ++x)
-                    if (row[x] != value) return false;
+        for (int y = 0; y < mSize.y; ++y)
+            for (int x = 0; x < mSize.x; ++x) {
+                const std::uint16_t* column = own.data() + placeOf(x, y, 0);
+                for (int z = 0; z < mSize.z; ++z)
+                    if (column[z] != value) return false;
             }
         return true;
     }

@@ -4,7 +4,7 @@
 #include "shared/voxelize_params.h"
 
 layout(std140, binding = kParamsBlock) uniform Params { StripParams params; };
-layout(std430, binding = kChangesBuffer) buffer Changes { int changes[]; }; // x fastest, then y, z
+layout(std430, binding = kChangesBuffer) buffer Changes { int changes[]; }; // z fastest, then x, y
 layout(location = 0) flat in vec4 depth;
 layout(location = 1) flat in vec4 slope;
 
@@ -21,8 +21,7 @@ void main() {
     int passed = first - voxel * samples;
     if (voxel >= params.size.z) return;
     int sign = depth.w > 0.0 ? 1 : -1;
-    int slice = params.size.x * params.size.y;
-    int at = voxel * slice + column.y * params.size.x + column.x;
+    int at = (column.y * params.size.x + column.x) * params.size.z + voxel;
     atomicAdd(changes[at], sign * (samples - passed));
-    if (passed > 0 && voxel + 1 < params.size.z) atomicAdd(changes[at + slice], sign * passed);
+    if (passed > 0 && voxel + 1 < params.size.z) atomicAdd(changes[at + 1], sign * passed);
 }

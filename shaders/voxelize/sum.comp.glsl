@@ -10,11 +10,10 @@ layout(std430, binding = kChangesBuffer) buffer Changes { int changes[]; };
 void main() {
     ivec2 column = ivec2(gl_GlobalInvocationID.xy);
     if (column.x >= params.size.x || column.y >= params.size.y) return;
-    int slice = params.size.x * params.size.y;
     int most = params.size.w * params.size.w * params.size.w;
-    int at = column.y * params.size.x + column.x;
+    int at = (column.y * params.size.x + column.x) * params.size.z;
     int sum = 0;
-    for (int z = 0; z < params.size.z; ++z, at += slice) {
+    for (int z = 0; z < params.size.z; ++z, ++at) {
         sum += changes[at];
         // Shells that overlap count as one solid: inside is where the winding number is not 0.
         changes[at] = clamp(sum, 0, most);

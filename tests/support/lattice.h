@@ -24,7 +24,7 @@ inline Lattice latticeAt(const glm::dvec3& low, double voxelSize, const glm::ive
     return lattice;
 }
 
-/// The counts of the whole lattice, put together from its strips.
+/// The counts of the whole lattice, x fastest, put together from its strips.
 inline std::vector<std::uint16_t> countsOf(const mesh::TriangleMesh& mesh, const Lattice& lattice,
                                            std::int64_t stripBytes = kStripBytes) {
     Coverage coverage(testDevice(), lattice, stripBytes);
@@ -34,9 +34,11 @@ inline std::vector<std::uint16_t> countsOf(const mesh::TriangleMesh& mesh, const
     for (int row = 0; row < size.y; row += coverage.rowsPerStrip()) {
         const int rows = std::min(coverage.rowsPerStrip(), size.y - row);
         coverage.count(source, row, rows, strip);
-        for (int z = 0; z < size.z; ++z)
-            std::copy_n(strip.begin() + std::ptrdiff_t{z} * rows * size.x, rows * size.x,
-                        all.begin() + (std::ptrdiff_t{z} * size.y + row) * size.x);
+        size_t i = 0;
+        for (int y = row; y < row + rows; ++y)
+            for (int x = 0; x < size.x; ++x)
+                for (int z = 0; z < size.z; ++z)
+                    all[(static_cast<size_t>(z) * size.y + y) * size.x + x] = strip[i++];
     }
     return all;
 }
