@@ -1,5 +1,5 @@
-# The front door: make, make demo, make test, make test-all, make bench, make accuracy, make effects,
-# make instructions, make fuzz, make docs, make format, make bundle.
+# The front door: make, make demo, make test, make test-all, make bench, make accuracy, make scale,
+# make effects, make instructions, make fuzz, make docs, make format, make bundle.
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
@@ -10,7 +10,7 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := mesh2vol volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test test-all bench accuracy effects instructions fuzz \
+.PHONY: all packages configure demo animation test test-all bench accuracy scale effects instructions fuzz \
         docs golden format install bundle clean
 
 all: configure
@@ -74,6 +74,12 @@ accuracy: packages
 	$(BUILD)/tests/accuracy --work $(OUT)/accuracy --json $(OUT)/accuracy.json --effort $(ACCURACY) \
 	  --page docs/accuracy.md
 	gnuplot -e "work='$(OUT)/accuracy'; docs='docs/accuracy'" pipelines/accuracy.gp
+
+# What finer voxels and more pixels cost: docs/scale.md.
+scale: packages
+	$(MAKE) all
+	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
+	pipelines/scale.sh $(BUILD)/bin data/bunny.off $(OUT)/scale docs/scale.md
 
 # What each effect costs, and what kernels without it leave out: docs/effects.md, out/effects.json.
 effects: packages

@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <iomanip>
 #include <sstream>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace eikonal::voxelize {
@@ -83,10 +84,33 @@ Lattice latticeOf(const Params& params) {
     return lattice;
 }
 
-/// Throws if the machine has not that much memory at all; what is free changes too fast to ask.
+/// What the host holds at the most, about: a strip of samples, and bricks near surfaces, once as
+/// they are filled and once as a tree.
+std::int64_t bytesFor(const Params& params, const Lattice& lattice, int components) {
+    double area = 0; // [voxel²]
+    for (const Object& object : params.objects)
+        area += mesh::surfaceArea(object.mesh) / (lattice.voxelSize * lattice.voxelSize);
+    const double voxels = static_cast<double>(lattice.size.x) * lattice.size.y * lattice.size.z;
+    const double bricks = voxels / volume::kBrickVoxels;
+    // A brick is as wide as its edge times 3/2, in the mean over the ways a surface may lie.
+    const auto voxelsWithin = [&](double reach) {
+        return std::min(area * (1.5 * volume::kBrick + 2 * reach), voxels);
+    };
+    const double strip = std::min(static_cast<double>(kStripBytes), 4 * voxels);
+    const double objects = static_cast<double>(params.objects.size());
+    const double mixed = (voxelsWithin(0) + bricks) * 4 * components;
+    const double distances = params.sharp ? (voxelsWithin(params.sdfBand) + bricks) * 4 : 0;
+    return static_cast<std::int64_t>(strip * (1 + objects / 2) + 2 * (mixed + distances));
+}
+
+/// Throws if the machine has not that much memory at all, or the process may not have it; what is
+/// free changes too fast to ask.
 void requireHostFit(std::int64_t bytes) {
-    const double has =
+    double has =
         static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        has = std::min(has, static_cast<double>(limit.rlim_cur));
     if (static_cast<double>(bytes) > has)
         throw MemoryError("the grids need " + bytesText(static_cast<double>(bytes)) +
                           ", the host has " + bytesText(has));
@@ -182,11 +206,7 @@ Plan makePlan(const Params& params) {
     if (params.sharp)
         for (const Object& object : params.objects)
             plan.walls.push_back(mesh::thinnestWall(object.mesh));
-    // Dense floats while they are filled, the largest of them once more as a tree, and the
-    // samples of every object.
-    const auto perVoxel =
-        components * 4 + 12 + static_cast<std::int64_t>(params.objects.size()) * 2;
-    plan.hostBytes = plan.box.voxels() * perVoxel;
+    plan.hostBytes = bytesFor(params, lattice, components);
     requireHostFit(plan.hostBytes);
     return plan;
 }

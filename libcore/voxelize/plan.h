@@ -19,7 +19,7 @@ struct Plan {
     std::vector<Grid> grids;
     std::vector<std::optional<mesh::Wall>> walls; ///< the thinnest per object; where sharp
     std::vector<Effect> effects;
-    std::int64_t hostBytes = 0; ///< of grids, while they are filled and as trees [byte]
+    std::int64_t hostBytes = 0; ///< of grids, about, while they are filled and as trees [byte]
 };
 
 // Of a thinner wall a cubic spline of distances feels the crease in the middle, which turns both
