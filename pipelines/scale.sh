@@ -102,8 +102,8 @@ END
     pixels
     cat <<END
 
-A pixel costs the same wherever it is. The device holds 16 bytes a pixel, and what its paths are where layers
-ask for them.
+A pixel costs the same in pictures of any size. The device makes them in strips, and holds one; the host
+holds the picture.
 END
-} >"$page.new"
-mv "$page.new" "$page"
+} >"$work/page.md"
+mv "$work/page.md" "$page"

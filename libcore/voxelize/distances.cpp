@@ -70,7 +70,7 @@ public:
 private:
     struct Face {
         dvec3 a, b, c, middle;
-        dvec3 normal{0}; // of length 1; of one without area 0
+        dvec3 normal{0}; // of length 1; of a sliver, whose is not exact, 0
         double radius;   // of a disc about the middle that holds it
 
         Face(const dvec3& first, const dvec3& second, const dvec3& third)
@@ -80,11 +80,11 @@ private:
                      (1 + 1e-12)) {
             const dvec3 across = glm::cross(b - a, c - a);
             const double area = glm::length(across);
-            if (area > 1e-9 * radius * radius) normal = across / area;
+            if (area > 1e-4 * radius * radius) normal = across / area;
         }
         static double squareOf(const dvec3& v) { return glm::dot(v, v); }
 
-        /// What the squared distance to x is at least: that to its disc, or to a ball without area.
+        /// What the squared distance to x is at least: that to its disc, or a sliver's ball.
         double least(const dvec3& x) const {
             const dvec3 off = x - middle;
             const double height = glm::dot(normal, off);
