@@ -10,8 +10,8 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := mesh2vol volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test test-all bench accuracy scale effects instructions fuzz \
-        docs golden format install bundle clean
+.PHONY: all packages configure demo animation test test-all bench accuracy scale effects \
+        instructions fuzz docs golden format install bundle clean
 
 all: configure
 	cmake --build $(BUILD) -j $(JOBS)

@@ -3,6 +3,7 @@
 #include "scene/boundaries.h"
 
 #include "scene/clearance.h"
+#include "scene/lattice.h"
 #include "scene/padded.h"
 #include "scene/shared.h"
 
@@ -15,10 +16,6 @@ namespace {
 
 using glm::ivec3;
 using glm::vec3;
-
-size_t placeOf(ivec3 size, int x, int y, int z) {
-    return (static_cast<size_t>(z) * size.y + y) * size.x + x;
-}
 
 /// Padded pages, one behind the other along z, of the regions whose coefficients vary:
 /// `pack(region, voxel, out)` fills a texel.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/clearance.h"
 
+#include "scene/lattice.h"
 #include "scene/shared.h"
 
 #include <algorithm>
@@ -21,15 +22,8 @@ using glm::vec3;
 // Cubes along an edge of the table at the most.
 constexpr int kMostCubes = 256;
 
-// From a cube's centre to its corner, by its edge.
-constexpr float kCorner = 0.8661f;
-
 // Distances to far boundaries are found by groups of cubes of this edge [cube].
 constexpr int kGroup = 2;
-
-size_t placeOf(ivec3 size, int x, int y, int z) {
-    return (static_cast<size_t>(z) * size.y + y) * size.x + x;
-}
 
 /// One axis of an exact squared distance transform: the lower envelope of parabolas (Felzenszwalb
 /// and Huttenlocher 2012, Theory of Computing 8:415).
@@ -118,7 +112,7 @@ public:
 
     bool nearTo(ivec3 cube, float distance) const {
         if (mEdge == 1) return std::abs(distance) < kNearby;
-        if (std::abs(distance) >= kNearby + kCorner * static_cast<float>(mEdge)) return false;
+        if (std::abs(distance) >= kNearby + kCornerWay * static_cast<float>(mEdge)) return false;
         const ivec3 low = mEdge * cube;
         const ivec3 high = glm::min(low + mEdge, mObject.distance.size) - 1;
         for (int z = low.z; z <= high.z; ++z)
@@ -176,10 +170,10 @@ BoundaryTable tabulate(const std::vector<Object>& objects, const ivec3& size) {
         });
     }
     // From a cube to its group's centre, to that of a group with a boundary, to a cube of it whose
-    // centre is within kCorner of the boundary.
+    // centre is within kCornerWay of the boundary.
     const auto h = static_cast<float>(edge);
-    const Groups groups = farGroups(table, kCorner * h);
-    const float slack = (2 * (kGroup - 1) + 1) * kCorner * h;
+    const Groups groups = farGroups(table, kCornerWay * h);
+    const float slack = (2 * (kGroup - 1) + 1) * kCornerWay * h;
     tbb::parallel_for(0, cubes.z, [&](int z) {
         size_t i = placeOf(cubes, 0, 0, z);
         for (int y = 0; y < cubes.y; ++y)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/distance_atlas.h"
 
+#include "scene/lattice.h"
 #include "scene/shared.h"
 
 #include <algorithm>
@@ -23,14 +24,8 @@ constexpr int kCoefficients = kBrick + 3;
 static_assert(kCoefficients == kBlockRows && kBrick == kBlockCells);
 // Samples that they are made from: two more on either side.
 constexpr int kSamples = kCoefficients + 4;
-// From a voxel's centre to its corner [voxel].
-constexpr float kVoxel = 0.8661f;
 // Rows that fill more than this are packed [byte].
 constexpr std::int64_t kPlainBytes = std::int64_t{128} << 20;
-
-size_t placeOf(ivec3 size, int x, int y, int z) {
-    return (static_cast<size_t>(z) * size.y + y) * size.x + x;
-}
 
 /// How many blocks lie along each axis of the atlas. It is narrow, so that a block's rows are close
 /// to each other in memory; no edge is above 2048 texels.
@@ -82,7 +77,7 @@ bool isEdge(ivec3 p, ivec3 size, float distance, float inner, const vec3& rise) 
     int faces = 0;
     for (int axis = 0; axis < 3; ++axis) faces += p[axis] == 0 || p[axis] == size[axis] - 1;
     const vec3 steep = glm::abs(rise);
-    return faces > 1 && std::abs(distance) < kVoxel && std::abs(distance - inner) > 0.5f &&
+    return faces > 1 && std::abs(distance) < kCornerWay && std::abs(distance - inner) > 0.5f &&
            std::max({steep.x, steep.y, steep.z}) < 0.5f;
 }
 
@@ -168,11 +163,8 @@ std::vector<Block> listBlocks(const std::vector<Object>& objects) {
     std::vector<Block> list;
     for (const Object& object : objects) {
         const ivec3 blocks = cellBlocks(object.distance.size);
-        for (const std::uint32_t cell : object.cells) {
-            const auto b = static_cast<int>(cell);
-            list.push_back(
-                {&object, {b % blocks.x, b / blocks.x % blocks.y, b / blocks.x / blocks.y}});
-        }
+        for (const std::uint32_t cell : object.cells)
+            list.push_back({&object, atPlace(blocks, cell)});
     }
     return list;
 }

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "scene/lattice.h"
 #include "scene/shared.h"
 
 #include <algorithm>
@@ -25,9 +26,6 @@ using volume::kBrick;
 /// Distances are kept this far out [voxel].
 constexpr float kKept = 5;
 
-// From a voxel's centre to its corner [voxel].
-constexpr float kVoxel = 0.8661f;
-
 /// The voxels of a brick that are in the domain.
 volume::IndexBox voxelsOf(const volume::BrickGrid& grid, size_t brick) {
     const ivec3 low = grid.voxelOf(brick);
@@ -40,48 +38,63 @@ template<typename Visit> void forEachVoxel(const volume::IndexBox& box, const Vi
             for (int x = box.min.x; x <= box.max.x; ++x) visit(ivec3(x, y, z));
 }
 
-/// What one brick adds to what is known of an object.
+/// What is seen of an object in some bricks.
 struct Facts {
     volume::IndexBox box, inside;
     double slopes = 0;
     std::int64_t sloped = 0;
-    unsigned near = 0;         ///< of the 2³ blocks of cells about it, those that are looked up
-    std::optional<ivec3> lost; ///< a voxel beside which a sign is lost
+    std::vector<std::uint32_t> cells; ///< blocks that are looked up, some more than once
+    std::optional<ivec3> lost;        ///< the first voxel beside which a sign is lost
     int lostAlong = 0;
 };
 
-/// Looks at a brick's voxels, and at those beside them.
-class Look {
+/// Looks at bricks' voxels, and at those beside them.
+class Inspector {
 public:
-    Look(const Object& object) : mGrid(object.distance), mBand(object.band) {}
+    explicit Inspector(const Object& object)
+        : mGrid(object.distance), mBlocks(cellBlocks(object.distance.size)), mBand(object.band) {}
 
-    Facts at(size_t brick) const {
+    /// Adds what a layer of bricks has.
+    Facts inspectLayer(int z) const {
         Facts facts;
-        const volume::IndexBox own = voxelsOf(mGrid, brick);
-        if (mGrid.page[brick] < 0)
-            lookAtEven(brick, own, facts);
-        else
-            forEachVoxel(own, [&](ivec3 p) { lookAt(p, mGrid.voxelOf(brick) >> 3, facts); });
+        const size_t layer = static_cast<size_t>(mGrid.bricks.x) * mGrid.bricks.y;
+        for (size_t brick = layer * z; brick < layer * (z + 1); ++brick) {
+            unsigned near = 0; // of the 2³ blocks of cells about the brick
+            if (mGrid.page[brick] < 0)
+                near = inspectEven(brick, facts);
+            else
+                forEachVoxel(voxelsOf(mGrid, brick), [&](ivec3 p) {
+                    if (inspectVoxel(p, facts))
+                        near |= blocksAbout(p, mGrid.voxelOf(brick) >> volume::kBrickBits);
+                });
+            addCells(brick, near, facts);
+        }
         return facts;
     }
 
 private:
-    void lookAtEven(size_t brick, const volume::IndexBox& own, Facts& facts) const {
+    unsigned inspectEven(size_t brick, Facts& facts) const {
         const float d = mGrid.even[brick];
-        if (d < within()) facts.box = own;
-        if (d < kVoxel) facts.inside = own;
-        // Only its faces have other values beside them.
+        const volume::IndexBox own = voxelsOf(mGrid, brick);
+        if (d < within()) facts.box.include(own);
+        if (d < kCornerWay) facts.inside.include(own);
+        // Only beyond its faces are other values.
         for (int axis = 0; axis < 3; ++axis) {
+            if (own.max[axis] + 1 == mGrid.size[axis]) continue;
             volume::IndexBox face = own;
             face.min[axis] = face.max[axis];
-            forEachVoxel(face, [&](ivec3 p) { compare(p, axis, d, facts); });
+            ivec3 next = own.max;
+            ++next[axis];
+            if (mGrid.page[mGrid.brickOf(next)] < 0) face = {own.max, own.max};
+            forEachVoxel(face, [&](ivec3 q) { compare(q, axis, d, facts); });
         }
-        if (std::abs(d) < kNearby) facts.near = 255;
+        return std::abs(d) < kNearby ? 255u : 0u;
     }
 
     /// The voxel is a corner of cells p to p + 1, whose blocks begin where voxels' bricks need not.
     static unsigned blocksAbout(ivec3 p, ivec3 first) {
-        const ivec3 low = (p >> 3) - first, high = ((p + 1) >> 3) - first;
+        const ivec3 low = (p >> volume::kBrickBits) - first;
+        const ivec3 high = ((p + 1) >> volume::kBrickBits) - first;
         unsigned bits = 0;
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
@@ -90,23 +103,33 @@ private:
         return bits;
     }
 
-    void lookAt(ivec3 p, ivec3 first, Facts& facts) const {
+    void addCells(size_t brick, unsigned near, Facts& facts) const {
+        const ivec3 first = mGrid.voxelOf(brick) >> volume::kBrickBits;
+        for (unsigned k = 0; near >> k > 0; ++k) {
+            const ivec3 b = first + ivec3(k & 1, k >> 1 & 1, k >> 2);
+            if (((near >> k) & 1u) == 1u && b == glm::clamp(b, ivec3(0), mBlocks - 1))
+                facts.cells.push_back(static_cast<std::uint32_t>(placeOf(mBlocks, b.x, b.y, b.z)));
+        }
+    }
+
+    /// Whether a boundary is near.
+    bool inspectVoxel(ivec3 p, Facts& facts) const {
         const float d = mGrid.at(p);
         if (d < within()) facts.box.include({p, p});
-        if (d < kVoxel) facts.inside.include({p, p});
-        if (std::abs(d) < kNearby) facts.near |= blocksAbout(p, first);
+        if (d < kCornerWay) facts.inside.include({p, p});
         for (int axis = 0; axis < 3; ++axis) compare(p, axis, d, facts);
-        if (std::abs(d) > std::min(2.0f, mBand - 1.5f) || glm::any(glm::lessThan(p, ivec3(1))) ||
-            glm::any(glm::greaterThan(p, mGrid.size - 2)))
-            return;
-        vec3 rise;
-        for (int axis = 0; axis < 3; ++axis) {
-            ivec3 step(0);
-            step[axis] = 1;
-            rise[axis] = 0.5f * (mGrid.at(p + step) - mGrid.at(p - step));
+        if (std::abs(d) <= std::min(2.0f, mBand - 1.5f) &&
+            glm::all(glm::greaterThan(p, ivec3(0))) && glm::all(glm::lessThan(p, mGrid.size - 1))) {
+            vec3 rise;
+            for (int axis = 0; axis < 3; ++axis) {
+                ivec3 step(0);
+                step[axis] = 1;
+                rise[axis] = 0.5f * (mGrid.at(p + step) - mGrid.at(p - step));
+            }
+            facts.slopes += static_cast<double>(glm::length(rise));
+            ++facts.sloped;
         }
-        facts.slopes += static_cast<double>(glm::length(rise));
-        ++facts.sloped;
+        return std::abs(d) < kNearby;
     }
 
     /// Two neighbours on either side of a boundary are no further apart than one voxel; where
@@ -123,6 +146,7 @@ private:
     float within() const { return std::min(mBand, kKept); }
 
     const volume::BrickGrid& mGrid;
+    ivec3 mBlocks;
     float mBand;
 };
 
@@ -166,28 +190,19 @@ Object readObject(const volume::Volume& volume, const std::string& sdf,
             for (int i = 0; i < volume::kBrickVoxels; ++i) values[i] /= h;
         });
     object.band = bandOf(object.distance);
-    std::vector<Facts> facts(object.distance.page.size());
-    const Look look(object);
-    tbb::parallel_for(size_t{0}, facts.size(),
-                      [&](size_t brick) { facts[brick] = look.at(brick); });
+    const Inspector inspector(object);
+    std::vector<Facts> layers(static_cast<size_t>(object.distance.bricks.z));
+    tbb::parallel_for(size_t{0}, layers.size(),
+                      [&](size_t z) { layers[z] = inspector.inspectLayer(static_cast<int>(z)); });
     double slopes = 0;
     std::int64_t sloped = 0;
-    const ivec3 blocks = cellBlocks(box.size());
-    for (size_t brick = 0; brick < facts.size(); ++brick) {
-        const Facts& one = facts[brick];
-        if (one.lost) refuseLostSign(object, one, h, box.min, where);
-        object.box.include(one.box);
-        object.inside.include(one.inside);
-        slopes += one.slopes;
-        sloped += one.sloped;
-        for (unsigned k = 0; k < 8; ++k) {
-            if (((one.near >> k) & 1u) == 0) continue;
-            const ivec3 b =
-                (object.distance.voxelOf(brick) >> 3) + ivec3(k & 1, k >> 1 & 1, k >> 2);
-            if (b == glm::clamp(b, ivec3(0), blocks - 1))
-                object.cells.push_back(
-                    static_cast<std::uint32_t>((b.z * blocks.y + b.y) * blocks.x + b.x));
-        }
+    for (const Facts& layer : layers) {
+        if (layer.lost) refuseLostSign(object, layer, h, box.min, where);
+        object.box.include(layer.box);
+        object.inside.include(layer.inside);
+        slopes += layer.slopes;
+        sloped += layer.sloped;
+        object.cells.insert(object.cells.end(), layer.cells.begin(), layer.cells.end());
     }
     std::sort(object.cells.begin(), object.cells.end());
     object.cells.erase(std::unique(object.cells.begin(), object.cells.end()), object.cells.end());

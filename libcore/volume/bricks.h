@@ -9,7 +9,8 @@
 namespace eikonal::volume {
 
 /// Voxels along a brick's edge, as of OpenVDB's leaves.
-constexpr int kBrick = 8;
+constexpr int kBrickBits = 3;
+constexpr int kBrick = 1 << kBrickBits;
 constexpr int kBrickVoxels = kBrick * kBrick * kBrick;
 
 /// Values at voxels of a box, whose first is at the origin. Bricks lie where OpenVDB's leaves do,
@@ -28,7 +29,7 @@ struct BrickGrid {
     BrickGrid(const glm::ivec3& size, const glm::ivec3& first, float value, int components = 1);
 
     size_t brickOf(const glm::ivec3& voxel) const {
-        const glm::ivec3 b = (voxel - first) / kBrick;
+        const glm::ivec3 b = (voxel - first) >> kBrickBits;
         return (static_cast<size_t>(b.z) * bricks.y + b.y) * bricks.x + b.x;
     }
     /// The value at a voxel of the box.

@@ -114,6 +114,12 @@ template<typename Floats, typename Doubles> void keepActive(Floats& made, const 
     openvdb::tools::prune(made.tree());
 }
 
+void requireNumbers(const BrickGrid& values, const std::string& grid) {
+    for (const std::vector<float>* some : {&values.even, &values.values})
+        if (!std::all_of(some->begin(), some->end(), [](float v) { return std::isfinite(v); }))
+            throw InternalError("grid '" + grid + "': a value is no number");
+}
+
 void describe(GridBase& made, const std::string& name, const PutOptions& options) {
     made.setName(name);
     if (!options.vectorType.empty())
@@ -157,9 +163,7 @@ void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& 
 
 void Volume::put(const std::string& grid, const IndexBox& box, const BrickGrid& values,
                  const PutOptions& options) {
-    for (const std::vector<float>* some : {&values.even, &values.values})
-        if (!std::all_of(some->begin(), some->end(), [](float v) { return std::isfinite(v); }))
-            throw InternalError("grid '" + grid + "': a value is no number");
+    requireNumbers(values, grid);
     GridBase::Ptr made;
     const glm::vec3 b = options.background;
     if (values.components == 3)
@@ -207,9 +211,7 @@ void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const D
 
 void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const BrickGrid& values,
                          double halfWidth) {
-    for (const std::vector<float>* some : {&values.even, &values.values})
-        if (!std::all_of(some->begin(), some->end(), [](float v) { return std::isfinite(v); }))
-            throw InternalError("grid '" + object.sdf + "': a distance is no number");
+    requireNumbers(values, object.sdf);
     const auto far = static_cast<float>(halfWidth * mImpl->frame.voxelSize);
     mImpl->placeLevelSet(object, makeLevelSet(box, values, far));
 }

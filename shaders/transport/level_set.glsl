@@ -12,7 +12,7 @@ const int kObjects = OBJECTS;
 #ifndef PACKED
 #error PACKED must be 0 or 1
 #endif
-const bool kPacked = PACKED == 1; // distances take a third of the memory, and twice the look-ups
+const bool kPacked = PACKED == 1; // distances take 3/8 of the memory, and twice the look-ups
 const int kObjectSlots = OBJECTS > 0 ? OBJECTS : 1;
 
 layout(std140, binding = kSceneBlock) uniform Scene { SceneParams scene; };

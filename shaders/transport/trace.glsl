@@ -207,7 +207,8 @@ int endingOf(inout Path path, Step made, float tau, inout float share, inout Hit
         if (freeOf(path) < segment.extent) {
             hit = intersect(segment, path.objects, path.departs);
             path.steps += hit.looks;
-            if (hit.object >= 0 && isBeforeFace(hit, pointOn(segment, hit.s), hit.s - share * segment.extent)) {
+            float beyond = hit.s - share * segment.extent;
+            if (hit.object >= 0 && isBeforeFace(hit, pointOn(segment, hit.s), beyond)) {
                 share = min(hit.s / segment.extent, share);
                 ending = kHits;
             } else {

@@ -1,6 +1,7 @@
 eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/curved_test.cpp
              view/sharp_test.cpp view/length_test.cpp view/kink_test.cpp
-             view/samples_test.cpp LIBRARIES judge)
+             view/samples_test.cpp LIBRARIES judge
+             LONG "LinearSamples.AreNoWorseThanPlainOnesAtEdges*" "ViewKink.*")
 
 eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
                                      ${CMAKE_BINARY_DIR})
