@@ -321,11 +321,16 @@ test_progress() {
     jq -es 'all(.tool == "render") and (.[-1].progress == 1)' stderr >/dev/null ||
         fail "progress is no JSON, or does not end at 1"
     expect 0 render in.vdb $view -o out.exr --progress text
-    says '^render: 100% 0:0[0-9] taken$'
-    # Longer runs tell every second how long it will take.
-    expect 0 render in.vdb $aim --fov 10 --size 200x150 --step 0.03 --samples 2 -o out.exr --progress text
-    grep -qE '^render: [1-7]?[0-9]% [0-9:]+ left$' stderr || fail "no time left is told"
-    [ "$(wc -l <stderr)" -le 40 ] || fail "it talks more than once a second"
+    says '^render: 100% [0-9:]* taken$'
+    # Longer runs tell every second how long it will take. How long is long depends on the machine.
+    local samples seconds=$SECONDS
+    for samples in 2 8 32 128; do
+        seconds=$SECONDS
+        expect 0 render in.vdb $aim --fov 10 --size 200x150 --step 0.03 --samples $samples -o out.exr --progress text
+        grep -qE '^render: [0-9]+% [0-9:]+ left$' stderr && break
+    done
+    says '^render: [0-9]*% [0-9:]* left$'
+    [ "$(wc -l <stderr)" -le $((SECONDS - seconds + 5)) ] || fail "it talks more than once a second"
     expect 0 render in.vdb $view -o out.exr --quiet
     [ ! -s stderr ] || fail "--quiet talks"
     [ ! -s stdout ] || fail "it wrote to standard output"
