@@ -52,6 +52,12 @@ scene::StepLengths stepsOf(const Params& params) {
     return {longest, 1e-3, longest, false};
 }
 
+gpu::Texture upload(gpu::Device& device, const Leaves& leaves) {
+    gpu::Texture texture(device, leaves.pairs, gpu::TexelFormat::r32ui, gpu::Filter::nearest);
+    texture.upload(leaves.packed.data());
+    return texture;
+}
+
 Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats,
           gpu::Profiler& profiler) {
     const auto make = [&](const char* name, const auto& work) {
@@ -63,7 +69,7 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
     Media media = make("medium", [&] { return Media(device, plan); });
     gpu::Texture leaves;
     if (plan.usesOctree())
-        leaves = make("octree", [&] { return makeOctree(device, plan, params); });
+        leaves = make("octree", [&] { return upload(device, makeLeaves(plan, params)); });
     return make("shaders", [&] {
         return Run{device,
                    plan,

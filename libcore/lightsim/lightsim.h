@@ -18,6 +18,6 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
 struct OctreeDump {
     volume::DenseGrid level, stepLimit;
 };
-OctreeDump dumpOctree(gpu::Device& device, const Plan& plan, const Params& params);
+OctreeDump dumpOctree(const Plan& plan, const Params& params);
 
 } // namespace eikonal::lightsim

@@ -3,7 +3,10 @@
 #include "lightsim/media.h"
 
 #include "lightsim/shared.h"
+#include "scene/lattice.h"
 #include "scene/padded.h"
+
+#include <tbb/parallel_for.h>
 
 namespace eikonal::lightsim {
 
@@ -14,12 +17,12 @@ gpu::Texture makeAbsorption(gpu::Device& device, const Plan& plan) {
     const auto h = static_cast<float>(plan.scene.voxelSize()); // 1/unit to 1/voxel
     if (!plan.colour)
         return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rg32f, true,
-                                 [&](size_t i, float* out) {
+                                 [&](const glm::ivec3& i, float* out) {
                                      out[0] = medium.absorption.at(i, 0) * h;
                                      out[1] = medium.scattering.at(i, 0) * h;
                                  });
     return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rgba32f, true,
-                             [&](size_t i, float* out) {
+                             [&](const glm::ivec3& i, float* out) {
                                  for (int c = 0; c < 3; ++c)
                                      out[c] = medium.absorption.at(i, c) * h;
                              });
@@ -29,7 +32,7 @@ gpu::Texture makeScattering(gpu::Device& device, const Plan& plan) {
     const scene::Region& medium = plan.scene.medium();
     const auto h = static_cast<float>(plan.scene.voxelSize());
     return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rgba32f, true,
-                             [&](size_t i, float* out) {
+                             [&](const glm::ivec3& i, float* out) {
                                  for (int c = 0; c < 3; ++c)
                                      out[c] = medium.scattering.at(i, c) * h;
                              });
@@ -37,8 +40,13 @@ gpu::Texture makeScattering(gpu::Device& device, const Plan& plan) {
 
 gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {
     const scene::Values& opacity = plan.scene.medium().opacity;
+    const glm::ivec3 size = plan.scene.size();
     std::vector<std::uint8_t> opaque(static_cast<size_t>(plan.voxels()));
-    for (size_t i = 0; i < opaque.size(); ++i) opaque[i] = opacity.at(i, 0) > 0.5f;
+    tbb::parallel_for(0, size.z, [&](int z) {
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                opaque[scene::placeOf(size, x, y, z)] = opacity.at({x, y, z}, 0) > 0.5f;
+    });
     gpu::Texture texture(device, plan.scene.size(), gpu::TexelFormat::r8ui, gpu::Filter::nearest);
     texture.upload(opaque.data());
     return texture;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/photons.h"
 
+#include "lightsim/voxels.h"
+
 #include <utility>
 
 namespace eikonal::lightsim {
@@ -18,6 +20,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
     switches.emplace_back("DIRECTION", plan.wants(Output::direction));
+    switches.emplace_back("SPARSE", atlasOf(plan).sparse);
     return switches;
 }
 
@@ -41,7 +44,12 @@ PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& 
                            gpu::Texture leaves)
     : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params)),
       mMedia(std::move(media)), mLeaves(std::move(leaves)), mBlock(device, sizeof(PhotonParams)) {
-    mParams.size = ivec4(plan.scene.size(), static_cast<int>(plan.voxels()));
+    mParams.size = ivec4(plan.scene.size(), 0);
+    const glm::ivec3 bricks = plan.receiving.bricks;
+    mParams.first = ivec4(-plan.receiving.first, 0);
+    const AtlasLayout atlas = atlasOf(plan);
+    mParams.bricks =
+        ivec4(bricks.x, bricks.x * bricks.y, atlas.apart(plan.planes()), atlas.planesApart());
     mParams.list = uvec4(0, kStepsPerRun, params.maxSteps, 0);
     mParams.depth = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
     mParams.limits = vec4(params.stepMin, params.dropBelow, 0, 0);

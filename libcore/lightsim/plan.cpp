@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "lightsim/photons.h"
+#include "lightsim/voxels.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
 
@@ -109,6 +110,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     listEffects(plan, params);
     if (!volume.holdsScene()) plan.warnings = scene::idleWarnings(scene::Files(volume), {});
     if (plan.outputs == Output::none) return plan;
+    plan.receiving = receivingBricks(scene, params);
     for (const std::string& warning : scene::warningsOf(scene)) plan.warnings.push_back(warning);
     if (!params.proxy.empty() && plan.attenuates)
         plan.warnings.push_back("--proxy skips the medium between the domain's faces and the "
@@ -121,17 +123,8 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     const std::int64_t voxels = plan.voxels();
     const int edge = std::max({size.x, size.y, size.z});
     std::vector<gpu::Need> needs = scene::transportNeeds(plan.scene, params.tracing);
-    for (int plane = 0; plane < plan.planes(); ++plane)
-        needs.push_back({"a plane of light (" + std::to_string(size.x) + " x " +
-                             std::to_string(size.y) + " x " + std::to_string(size.z) + " voxels)",
-                         voxels * 4, true, 0});
-    // Twice while it is smoothed, when the planes are gone.
-    const int floats = plan.fluenceChannels() + plan.directionChannels();
-    const int more = params.smoothing > 0 ? std::max(floats - plan.planes(), 0) : 0;
-    needs.push_back({"the summed light", voxels * 4 * (floats + more), false, 0});
-    if (plan.bends || (plan.attenuates && !plan.scene.sharp))
-        needs.push_back(
-            {"the octree", voxels / 8 * (4 + 3 * 16) + voxels * 8, false, (edge + 1) / 2});
+    for (const gpu::Need& need : voxelNeeds(plan, params)) needs.push_back(need);
+    if (plan.usesOctree()) needs.push_back({"the octree", voxels / 2, false, (edge + 1) / 2});
     if (plan.attenuates && !plan.scene.sharp)
         needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge + 2});
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);

@@ -5,6 +5,7 @@
 #include "base/stats.h"
 #include "gpu/device.h"
 #include "lightsim/params.h"
+#include "lightsim/receiving.h"
 #include "scene/scene.h"
 
 #include <vector>
@@ -25,6 +26,7 @@ struct Plan {
     bool colour = false;     ///< media or mirrors differ by wavelength: three traced channels
     bool colouredLight = false;
     bool opaque = false;
+    ReceivingBricks receiving; ///< none where there is nothing to simulate
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 

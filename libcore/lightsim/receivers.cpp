@@ -8,7 +8,7 @@ Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params
     : mVoxels(device, plan, params) {}
 
 void Receivers::bind() const {
-    mVoxels.bindPlanes();
+    mVoxels.bind();
 }
 
 void Receivers::clear() {

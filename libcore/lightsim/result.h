@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "volume/volume.h"
+#include "volume/bricks.h"
 
 namespace eikonal::lightsim {
 
-/// Grids over the scene's domain; a grid not asked for is empty.
+/// Grids over the scene's domain, 0 in bricks that receive no light; a grid not asked for is empty.
 struct Result {
-    volume::DenseGrid fluence;   ///< RGB [W/m²]
-    volume::DenseGrid direction; ///< mean direction of travel in world space, length <= 1
+    volume::BrickGrid fluence;   ///< RGB [W/m²]
+    volume::BrickGrid direction; ///< mean direction of travel in world space, length <= 1
 };
 
 } // namespace eikonal::lightsim

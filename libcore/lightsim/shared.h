@@ -16,10 +16,9 @@ using glm::vec4;
 #include "shared/lightsim_params.h"
 #include "shared/limits.h"
 
-static_assert(sizeof(OctreeParams) == 80);
 static_assert(sizeof(EmissionParams) == 224);
-static_assert(sizeof(PhotonParams) == 80);
-static_assert(sizeof(ResolveParams) == 64);
+static_assert(sizeof(PhotonParams) == 112);
+static_assert(sizeof(ResolveParams) == 112);
 static_assert(sizeof(Photon) == 96);
 
 } // namespace eikonal::lightsim

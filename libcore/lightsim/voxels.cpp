@@ -2,13 +2,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/voxels.h"
 
-#include "lightsim/shared.h"
+#include "scene/lattice.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::lightsim {
+
+namespace {
+
+using glm::ivec3;
+using volume::kBrick;
+using volume::kBrickVoxels;
+static_assert(kBrick == kBrickEdge);
+
+int totalsOf(const Plan& plan) {
+    return plan.fluenceChannels() + plan.directionChannels();
+}
+
+} // namespace
+
+AtlasLayout atlasOf(const Plan& plan) {
+    const ReceivingBricks& receiving = plan.receiving;
+    const int planes = std::max(plan.planes(), totalsOf(plan));
+    const auto count = static_cast<std::int64_t>(receiving.list.size());
+    AtlasLayout whole{receiving.bricks, false};
+    const ivec3 texels = whole.texels(planes);
+    const bool all = count == std::int64_t{whole.bricks.x} * whole.bricks.y * whole.bricks.z;
+    if (all && std::max({texels.x, texels.y, texels.z}) <= scene::kMostTexels) return whole;
+    return {scene::atlasOf(count, {kBrick, kBrick, kBrick * planes}), true};
+}
 
 double unitFor(double photons) {
     const double range = kNearFull;
@@ -20,103 +45,149 @@ VoxelReceiver::VoxelReceiver(gpu::Device& device, const Plan& plan, const Params
                {{"CHANNELS", plan.tracedChannels()},
                 {"FLUENCE", plan.fluenceChannels()},
                 {"DIRECTION", plan.wants(Output::direction)}}),
-      mBlock(device, sizeof(ResolveParams)), mSize(plan.scene.size()),
+      mBlock(device, sizeof(ResolveParams)), mAtlas(atlasOf(plan)),
       mVoxelSize(plan.scene.voxelSize()) {
     if (params.smoothing > 0)
         mSmooth = gpu::Program(
             device, "lightsim/smooth.comp.glsl",
             {{"FLUENCE", plan.fluenceChannels()}, {"DIRECTION", plan.wants(Output::direction)}});
-    const std::int64_t bytes = plan.voxels() * 4;
-    const int totals = plan.fluenceChannels() + plan.directionChannels();
-    for (int i = 0; i < plan.planes(); ++i) mPlanes.emplace_back(device, bytes);
-    for (int i = 0; i < totals; ++i) mTotals.emplace_back(device, bytes);
-    for (gpu::Buffer& total : mTotals) total.clear();
+    const ReceivingBricks& receiving = plan.receiving;
+    const ivec3 atlas = mAtlas.bricks;
+    mParams.size = ivec4(plan.scene.size(), static_cast<int>(receiving.list.size()));
+    mParams.first = ivec4(-receiving.first, 0);
+    mParams.bricks = ivec4(receiving.bricks, mAtlas.planesApart());
+    mParams.atlas = ivec4(atlas, 0);
+    mParams.apart = ivec4(mAtlas.apart(plan.planes()), mAtlas.apart(totalsOf(plan)), 0, 0);
+    std::vector<std::uint32_t> table(scene::placeOf(receiving.bricks, 0, 0, receiving.bricks.z),
+                                     kNoBrick);
+    for (size_t slot = 0; slot < receiving.list.size(); ++slot) {
+        const glm::uvec3 place(scene::atPlace(atlas, slot));
+        table[receiving.list[slot]] = place.x | place.y << 10u | place.z << 20u;
+    }
+    const auto upload = [&](const std::vector<std::uint32_t>& values) {
+        return gpu::Buffer(device, static_cast<std::int64_t>(values.size() * 4), values.data());
+    };
+    mTable = upload(table);
+    mList = upload(receiving.list);
+    mPlanes = gpu::Texture(device, mAtlas.texels(plan.planes()), gpu::TexelFormat::r32ui,
+                           gpu::Filter::nearest);
+    mTotals = gpu::Texture(device, mAtlas.texels(totalsOf(plan)), gpu::TexelFormat::r32f,
+                           gpu::Filter::nearest);
+    mTotals.clear();
     clearPlanes();
 }
 
-void VoxelReceiver::bindPlanes() const {
-    for (size_t i = 0; i < mPlanes.size(); ++i)
-        mPlanes[i].bindStorage(kPlanesBuffer + static_cast<unsigned>(i));
+void VoxelReceiver::bind() const {
+    mTable.bindStorage(kBricksBuffer);
+    mPlanes.bindImage(kPlanesImage);
 }
 
 void VoxelReceiver::clearPlanes() {
-    for (gpu::Buffer& plane : mPlanes) plane.clear();
+    mPlanes.clear();
+}
+
+void VoxelReceiver::dispatch(const gpu::Program& program) const {
+    // A device takes 65,535 groups along one dimension, maybe not more.
+    const int bricks = mParams.size.w, row = std::min(bricks, 1 << 15);
+    if (row > 0) program.dispatch({kBrickVoxels, row, (bricks + row - 1) / row});
+    gpu::barrier();
 }
 
 void VoxelReceiver::resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit) {
     // Track-length estimate: power × path length / voxel volume. [1/m² per unit of fixed point]
     const double share = power / (mVoxelSize * mVoxelSize) / unit;
     const double all = rgb.x + rgb.y + rgb.z;
-    const std::int64_t voxels = std::int64_t{mSize.x} * mSize.y * mSize.z;
-    ResolveParams values{};
-    values.size = ivec4(mSize, static_cast<int>(voxels));
-    values.fluence = vec4(share * rgb, 0);
-    values.colour = vec4(rgb / all, share * all);
-    mBlock.upload(&values, sizeof values);
+    mParams.fluence = vec4(share * rgb, 0);
+    mParams.colour = vec4(rgb / all, share * all);
+    mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
-    bindPlanes();
-    for (size_t i = 0; i < mTotals.size(); ++i)
-        mTotals[i].bindStorage(kTotalsBuffer + static_cast<unsigned>(i));
-    // Rows of 2^20 voxels: a device takes 65,535 groups along one dimension, maybe not more.
-    const std::int64_t row = 1 << 20;
-    mResolve.dispatch(
-        {static_cast<int>(std::min(voxels, row)), static_cast<int>((voxels + row - 1) / row), 1});
-    gpu::barrier();
+    bind();
+    mTotals.bindImage(kTotalsImage);
+    dispatch(mResolve);
     device.check("resolve");
 }
 
 void VoxelReceiver::smooth(gpu::Device& device, int rounds) {
-    mPlanes.clear(); // their memory serves the other buffers
-    std::vector<gpu::Buffer> others;
-    for (const gpu::Buffer& total : mTotals) others.emplace_back(device, total.bytes());
-    ResolveParams values{};
-    values.size = ivec4(mSize, 0);
+    mPlanes = gpu::Texture(); // its memory serves the other texture
+    gpu::Texture other(device, mTotals.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);
+    mTable.bindStorage(kBricksBuffer);
+    mList.bindStorage(kBrickListBuffer);
     for (int pass = 0; pass < 3 * rounds; ++pass) {
-        values.planes.z = pass % 3;
-        mBlock.upload(&values, sizeof values);
+        mParams.first.w = pass % 3;
+        mBlock.upload(&mParams, sizeof mParams);
         mBlock.bindUniform(kParamsBlock);
-        for (size_t i = 0; i < mTotals.size(); ++i) {
-            mTotals[i].bindStorage(kSourcesBuffer + static_cast<unsigned>(i));
-            others[i].bindStorage(kTotalsBuffer + static_cast<unsigned>(i));
-        }
-        mSmooth.dispatch(mSize);
-        gpu::barrier();
-        std::swap(mTotals, others);
+        mTotals.bindImage(kTotalsImage);
+        other.bindImage(kSmoothedImage);
+        dispatch(mSmooth);
+        std::swap(mTotals, other);
     }
     device.check("smooth");
 }
 
 Result VoxelReceiver::download(const Plan& plan) const {
-    const auto voxels = static_cast<size_t>(plan.voxels());
-    std::vector<std::vector<float>> values;
-    for (const gpu::Buffer& total : mTotals) {
-        values.emplace_back(voxels);
-        total.download(values.back().data(), total.bytes());
-    }
-    const auto channels = static_cast<size_t>(plan.fluenceChannels());
-    const auto fluence = [&](size_t c) -> const std::vector<float>& {
-        return values[std::min(c, channels - 1)];
-    };
-    Result result;
-    if (plan.wants(Output::fluence)) {
-        result.fluence = {mSize, 3, std::vector<float>(voxels * 3)};
-        for (size_t i = 0; i < voxels; ++i)
-            for (size_t c = 0; c < 3; ++c) result.fluence.values[3 * i + c] = fluence(c)[i];
-    }
-    if (!plan.wants(Output::direction)) return result;
-    result.direction = {mSize, 3, std::vector<float>(voxels * 3, 0.0f)};
+    const ReceivingBricks& receiving = plan.receiving;
+    const ivec3 texels = mTotals.size();
+    std::vector<float> values(scene::placeOf(texels, 0, 0, texels.z));
+    mTotals.download(values.data(), mTotals.bytes());
+    const int channels = plan.fluenceChannels(), planes = totalsOf(plan);
     const glm::mat3 worldFromVoxel(plan.scene.worldFromVoxelTurn());
-    for (size_t i = 0; i < voxels; ++i) {
-        const float power = fluence(0)[i] + fluence(1)[i] + fluence(2)[i];
-        if (!(power > 0)) continue;
-        glm::vec3 mean(values[channels][i], values[channels + 1][i], values[channels + 2][i]);
-        mean /= power;
-        const float length = glm::length(mean);
-        if (length > 1) mean /= length; // rounding of the fixed-point sums
-        mean = worldFromVoxel * mean;
-        for (int c = 0; c < 3; ++c) result.direction.values[3 * i + c] = mean[c];
-    }
+    const auto made = [&](Output output) {
+        volume::BrickGrid grid;
+        if (!plan.wants(output)) return grid;
+        grid = volume::BrickGrid(plan.scene.size(), receiving.first, 0, 3);
+        grid.values.resize(receiving.list.size() * kBrickVoxels * 3);
+        for (size_t slot = 0; slot < receiving.list.size(); ++slot)
+            grid.page[receiving.list[slot]] = static_cast<std::int32_t>(slot);
+        return grid;
+    };
+    Result result{made(Output::fluence), made(Output::direction)};
+    tbb::parallel_for(size_t{0}, receiving.list.size(), [&](size_t slot) {
+        const ivec3 apart(1, 1, mAtlas.apart(planes));
+        const ivec3 corner = scene::atPlace(mAtlas.bricks, slot) * apart * kBrick;
+        for (int i = 0; i < kBrickVoxels; ++i) {
+            const ivec3 p = corner + ivec3(i % kBrick, i / kBrick % kBrick, i / kBrick / kBrick);
+            const auto plane = [&](int k) {
+                return values[scene::placeOf(texels, p.x, p.y, p.z + k * mAtlas.planesApart())];
+            };
+            glm::vec3 fluence(0);
+            for (int c = 0; c < 3; ++c) fluence[c] = plane(std::min(c, channels - 1));
+            const size_t out = 3 * (slot * kBrickVoxels + static_cast<size_t>(i));
+            for (size_t c = 0; c < 3 && plan.wants(Output::fluence); ++c)
+                result.fluence.values[out + c] = fluence[static_cast<int>(c)];
+            const float power = fluence.x + fluence.y + fluence.z;
+            if (!plan.wants(Output::direction) || !(power > 0)) continue;
+            glm::vec3 mean(plane(channels), plane(channels + 1), plane(channels + 2));
+            mean /= power;
+            const float length = glm::length(mean);
+            if (length > 1) mean /= length; // rounding of the fixed-point sums
+            mean = worldFromVoxel * mean;
+            for (size_t c = 0; c < 3; ++c)
+                result.direction.values[out + c] = mean[static_cast<int>(c)];
+        }
+    });
     return result;
+}
+
+std::vector<gpu::Need> voxelNeeds(const Plan& plan, const Params& params) {
+    const AtlasLayout atlas = atlasOf(plan);
+    const auto bytes = [&](int planes) {
+        const ivec3 texels = atlas.texels(planes);
+        return std::int64_t{texels.x} * texels.y * texels.z * 4;
+    };
+    const auto edge = [&](int planes) {
+        const ivec3 texels = atlas.texels(planes);
+        return std::max({texels.x, texels.y, texels.z});
+    };
+    const ivec3 bricks = plan.receiving.bricks;
+    const std::string of =
+        " of " + std::to_string(plan.receiving.list.size()) + " bricks of 8 x 8 x 8";
+    const std::int64_t planes = bytes(plan.planes()), totals = bytes(totalsOf(plan));
+    return {{"the light" + of, planes, false, edge(plan.planes())},
+            // Twice while it is smoothed, when the planes are gone.
+            {"the summed light" + of,
+             totals + (params.smoothing > 0 ? std::max<std::int64_t>(totals - planes, 0) : 0),
+             false, edge(totalsOf(plan))},
+            {"the table of bricks", std::int64_t{bricks.x} * bricks.y * bricks.z * 4, true, 0}};
 }
 
 } // namespace eikonal::lightsim

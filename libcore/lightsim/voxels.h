@@ -6,6 +6,7 @@
 #include "gpu/resources.h"
 #include "lightsim/plan.h"
 #include "lightsim/result.h"
+#include "lightsim/shared.h"
 
 namespace eikonal::lightsim {
 
@@ -15,12 +16,29 @@ namespace eikonal::lightsim {
 /// int, too.
 double unitFor(double photons);
 
+/// How bricks that receive light lie in an atlas of so many planes: a brick's planes one behind the
+/// other along z, or where all receive, as they lie in the domain, plane behind plane.
+struct AtlasLayout {
+    glm::ivec3 bricks{1}; ///< along each axis, of one plane
+    bool sparse = false;
+
+    /// The texels of `planes`.
+    glm::ivec3 texels(int planes) const {
+        return bricks * volume::kBrick * glm::ivec3(1, 1, planes);
+    }
+    /// How many bricks apart those along z are.
+    int apart(int planes) const { return sparse ? planes : 1; }
+    /// How many texels apart planes are.
+    int planesApart() const { return sparse ? volume::kBrick : bricks.z * volume::kBrick; }
+};
+AtlasLayout atlasOf(const Plan& plan);
+
 class VoxelReceiver {
 public:
     VoxelReceiver(gpu::Device& device, const Plan& plan, const Params& params);
 
-    size_t planes() const { return mPlanes.size(); }
-    void bindPlanes() const;
+    /// What deposits go to, and the table of bricks.
+    void bind() const;
     void clearPlanes();
     /// Adds what the planes hold to the totals, and clears them. `rgb` is the light's, a photon of
     /// weight 1 has `power` of it [m² or sr], `unit` stands for a voxel's length at weight 1.
@@ -30,11 +48,17 @@ public:
     Result download(const Plan& plan) const;
 
 private:
+    void dispatch(const gpu::Program& program) const;
+
     gpu::Program mResolve, mSmooth;
-    gpu::Buffer mBlock;
-    std::vector<gpu::Buffer> mPlanes, mTotals; ///< totals: channels of fluence, then of direction
-    glm::ivec3 mSize;
+    gpu::Buffer mBlock, mTable, mList;
+    gpu::Texture mPlanes, mTotals;
+    AtlasLayout mAtlas;
+    ResolveParams mParams{};
     double mVoxelSize;
 };
+
+/// What they take on the device.
+std::vector<gpu::Need> voxelNeeds(const Plan& plan, const Params& params);
 
 } // namespace eikonal::lightsim

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <glm/vec4.hpp>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::scene {
 
@@ -29,11 +30,12 @@ gpu::Texture makePages(gpu::Device& device, const Scene& scene, bool floorAtZero
     for (const Region& region : scene.regions) {
         if (!region.coefficientsVary()) continue;
         std::vector<float> padded(4 * placeOf(outer, 0, 0, outer.z));
-        size_t voxel = 0;
-        for (int z = 0; z < scene.size().z; ++z)
+        tbb::parallel_for(0, scene.size().z, [&](int z) {
             for (int y = 0; y < scene.size().y; ++y)
                 for (int x = 0; x < scene.size().x; ++x)
-                    pack(region, voxel++, padded.data() + 4 * placeOf(outer, x + 1, y + 1, z + 1));
+                    pack(region, ivec3(x, y, z),
+                         padded.data() + 4 * placeOf(outer, x + 1, y + 1, z + 1));
+        });
         extendPadding(padded, scene.size(), 4, floorAtZero);
         texture.uploadSlices(slice, outer.z, padded.data());
         slice += outer.z;
@@ -77,19 +79,20 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
 }
 
 void Boundaries::makeCoefficients(gpu::Device& device, const Scene& scene, float h) {
-    const auto rgb = [h](const Values& values, size_t voxel, float* out) {
+    const auto rgb = [h](const Values& values, const ivec3& voxel, float* out) {
         for (int c = 0; c < 3; ++c) out[c] = values.at(voxel, c) * h;
     };
-    mCoefficients[0] = makePages(device, scene, false, [&](const Region& r, size_t i, float* out) {
-        rgb(r.absorption, i, out);
-        out[3] = r.anisotropy.at(i, 0);
-    });
-    mCoefficients[1] = makePages(device, scene, true, [&](const Region& r, size_t i, float* out) {
-        rgb(r.scattering, i, out);
-    });
-    mCoefficients[2] = makePages(device, scene, true, [&](const Region& r, size_t i, float* out) {
-        rgb(r.emission, i, out);
-    });
+    mCoefficients[0] =
+        makePages(device, scene, false, [&](const Region& r, const ivec3& i, float* out) {
+            rgb(r.absorption, i, out);
+            out[3] = r.anisotropy.at(i, 0);
+        });
+    mCoefficients[1] =
+        makePages(device, scene, true,
+                  [&](const Region& r, const ivec3& i, float* out) { rgb(r.scattering, i, out); });
+    mCoefficients[2] =
+        makePages(device, scene, true,
+                  [&](const Region& r, const ivec3& i, float* out) { rgb(r.emission, i, out); });
 }
 
 void Boundaries::bind() const {

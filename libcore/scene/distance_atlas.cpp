@@ -27,19 +27,6 @@ constexpr int kSamples = kCoefficients + 4;
 // Rows that fill more than this are packed [byte].
 constexpr std::int64_t kPlainBytes = std::int64_t{128} << 20;
 
-/// How many blocks lie along each axis of the atlas. It is narrow, so that a block's rows are close
-/// to each other in memory; no edge is above 2048 texels.
-ivec3 atlasOf(std::int64_t blocks) {
-    constexpr int kMost = 2048 / kCoefficients;
-    const auto over = [](std::int64_t a, std::int64_t b) {
-        return static_cast<int>((a + b - 1) / b);
-    };
-    const int x = over(std::max<std::int64_t>(blocks, 1), std::int64_t{kMost} * kMost);
-    const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(blocks) / x)));
-    const int y = std::clamp(side, 1, kMost);
-    return {x, y, std::max(over(blocks, std::int64_t{x} * y), 1)};
-}
-
 std::int64_t blocksOf(const std::vector<Object>& objects) {
     std::int64_t blocks = 0;
     for (const Object& object : objects) blocks += static_cast<std::int64_t>(object.cells.size());
@@ -195,7 +182,8 @@ DistanceAtlas::DistanceAtlas(gpu::Device& device, const std::vector<Object>& obj
     const bool packed = isPacked(objects);
     const ivec3 block = texelsOf(packed);
     const std::vector<Block> list = listBlocks(objects);
-    const ivec3 atlas = atlasOf(static_cast<std::int64_t>(list.size())), table = tableOf(objects);
+    const ivec3 atlas = atlasOf(static_cast<std::int64_t>(list.size()), block),
+                table = tableOf(objects);
     std::vector<std::uint32_t> places = farBlocks(objects, table);
     const int deep = table.z / static_cast<int>(objects.size());
     mCoefficients =
@@ -227,8 +215,8 @@ void DistanceAtlas::bind() const {
 }
 
 std::vector<gpu::Need> atlasNeeds(const std::vector<Object>& objects) {
-    const ivec3 atlas = atlasOf(blocksOf(objects)) * texelsOf(isPacked(objects)),
-                table = tableOf(objects);
+    const ivec3 block = texelsOf(isPacked(objects));
+    const ivec3 atlas = block * atlasOf(blocksOf(objects), block), table = tableOf(objects);
     return {{"the boundaries' distances", std::int64_t{atlas.x} * atlas.y * atlas.z * 16, false,
              std::max({atlas.x, atlas.y, atlas.z})},
             {"the table of their blocks", std::int64_t{table.x} * table.y * table.z * 4, false,

@@ -60,7 +60,8 @@ Field::Field(gpu::Device& device, float constant) {
     mParams = gpu::Buffer(device, sizeof values, &values);
 }
 
-Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOptions& options) {
+Field::Field(gpu::Device& device, const volume::BrickGrid& index, float least,
+             const FieldOptions& options) {
     FieldParams values{};
     const bool linear = options.interpolation == Interpolation::linear;
     values.scale = vec4(1.0f / vec3(index.size + (linear ? ivec3(2) : ivec3(1, 4, 4))), 0);
@@ -73,7 +74,6 @@ Field::Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOpt
     } else {
         makeSpline(stepped);
         mTexture = makeCubic(device, stepped);
-        const float least = *std::min_element(index.values.begin(), index.values.end());
         const double zero = own.squareAtZero, floor = static_cast<double>(least * least) / 16;
         values.cubic =
             vec4(std::sqrt(zero), options.verletTau * options.verletTau / 12, floor - zero, 0);

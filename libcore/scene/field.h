@@ -28,9 +28,10 @@ public:
     Field() = default;
     /// An index that does not vary.
     Field(gpu::Device& device, float constant);
-    /// `index` has one value per voxel, all above 0. Throws MemoryError if the device can't hold
-    /// it.
-    Field(gpu::Device& device, const volume::DenseGrid& index, const FieldOptions& options);
+    /// `index` has one value per voxel, `least` or above. Throws MemoryError if the device can't
+    /// hold it.
+    Field(gpu::Device& device, const volume::BrickGrid& index, float least,
+          const FieldOptions& options);
 
     /// At the unit and binding that shaders/transport/index_field.glsl names.
     void bind() const;

@@ -3,6 +3,7 @@
 #include "scene/index.h"
 
 #include "base/error.h"
+#include "volume/make_bricks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,30 +18,68 @@ namespace {
 // Look-ups on one object's behalf reach this far beyond its boundary: a step and a spline [voxel].
 constexpr float kLookUps = 4;
 
-/// Puts the values of object k's region into the voxels that it is nearest to. `nearest` has the
-/// distance of the nearest so far [voxel]. Throws DataError where both are within kLookUps.
-void join(const Scene& scene, size_t k, Index& index, std::vector<float>& nearest) {
-    const Object& object = scene.objects[k];
-    const Region& region = scene.regions[k];
-    const glm::ivec3 size = scene.size();
-    for (int z = object.box.min.z; z <= object.box.max.z; ++z)
-        for (int y = object.box.min.y; y <= object.box.max.y; ++y)
-            for (int x = object.box.min.x; x <= object.box.max.x; ++x) {
-                const size_t voxel = (static_cast<size_t>(z) * size.y + y) * size.x + x;
-                const float distance = object.distance.at({x, y, z});
-                if (std::max(distance, nearest[voxel]) < kLookUps)
-                    throw DataError(scene.path + ": the index varies in '" + region.name +
-                                    "' and in another object less than " +
-                                    std::to_string(static_cast<int>(2 * kLookUps)) +
-                                    " voxels off, expected one of them, or more room");
-                if (distance >= nearest[voxel]) continue;
-                nearest[voxel] = distance;
-                const float n = region.index.grid.values[voxel];
-                index.grid.values[voxel] = n;
-                if (distance > kLookUps) continue;
-                index.least = std::min(index.least, n);
-                index.most = std::max(index.most, n);
-            }
+/// Objects whose index varies, of sharp boundaries.
+class Varying {
+public:
+    explicit Varying(const Scene& scene) : mScene(scene) {
+        for (size_t k = 0; k < scene.objects.size(); ++k)
+            if (scene.regions[k].index.varies()) mObjects.push_back(k);
+    }
+
+    bool any() const { return !mObjects.empty(); }
+
+    bool isEven(size_t brick) const {
+        return std::all_of(mObjects.begin(), mObjects.end(), [&](size_t k) {
+            return mScene.regions[k].index.isEven(brick) &&
+                   mScene.objects[k].distance.page[brick] < 0;
+        });
+    }
+
+    /// Of the object that the voxel is nearest to. Throws DataError where two are within kLookUps.
+    float at(const ivec3& voxel) const {
+        size_t nearest = mObjects.front();
+        float least = 1e9f;
+        for (const size_t k : mObjects) {
+            const float distance = mScene.objects[k].distance.at(voxel);
+            if (std::max(distance, least) < kLookUps)
+                throw DataError(mScene.path + ": the index varies in '" + mScene.regions[k].name +
+                                "' and in another object less than " +
+                                std::to_string(static_cast<int>(2 * kLookUps)) +
+                                " voxels off, expected one of them, or more room");
+            if (distance >= least) continue;
+            least = distance;
+            nearest = k;
+        }
+        return mScene.regions[nearest].index.grid.at(voxel);
+    }
+
+    /// Takes up the range of what is looked up.
+    void widen(Index& index) const {
+        for (const size_t k : mObjects) {
+            const Object& object = mScene.objects[k];
+            for (int z = object.box.min.z; z <= object.box.max.z; ++z)
+                for (int y = object.box.min.y; y <= object.box.max.y; ++y)
+                    for (int x = object.box.min.x; x <= object.box.max.x; ++x) {
+                        if (object.distance.at({x, y, z}) > kLookUps) continue;
+                        const float n = mScene.regions[k].index.grid.at({x, y, z});
+                        index.least = std::min(index.least, n);
+                        index.most = std::max(index.most, n);
+                    }
+        }
+    }
+
+private:
+    const Scene& mScene;
+    std::vector<size_t> mObjects;
+};
+
+/// Takes up the range of a whole grid.
+void widen(Index& index, const volume::BrickGrid& grid) {
+    for (size_t brick = 0; brick < grid.page.size(); ++brick)
+        grid.forEachValue(brick, [&](const float* n) {
+            index.least = std::min(index.least, *n);
+            index.most = std::max(index.most, *n);
+        });
 }
 
 } // namespace
@@ -50,25 +89,21 @@ Index varyingIndex(const Scene& scene) {
     const Region& medium = scene.medium();
     index.background = medium.index.value.x;
     index.least = index.most = index.background;
-    std::vector<float> nearest;
-    for (size_t k = 0; k < scene.objects.size(); ++k) {
-        if (!scene.regions[k].index.varies()) continue;
-        if (nearest.empty()) {
-            index.grid = scene.regions[k].index.grid;
-            nearest.assign(index.grid.values.size(), 1e9f);
-        }
-        join(scene, k, index, nearest);
+    const Varying objects(scene);
+    if (objects.any()) {
+        index.grid = volume::makeBricks(
+            scene.size(), scene.domain.firstBrick(), 1,
+            [&](size_t brick) { return objects.isEven(brick); },
+            [&](const ivec3& voxel, float* n) { *n = objects.at(voxel); });
+        objects.widen(index);
     }
     if (!medium.index.varies()) return index;
-    if (!nearest.empty())
+    if (objects.any())
         throw DataError(scene.path +
                         ": the index varies in an object and in what surrounds it, expected "
                         "it to vary on one side of sharp boundaries");
     index.grid = medium.index.grid;
-    const auto [least, most] =
-        std::minmax_element(index.grid.values.begin(), index.grid.values.end());
-    index.least = std::min(index.least, *least);
-    index.most = std::max(index.most, *most);
+    widen(index, index.grid);
     return index;
 }
 
@@ -77,23 +112,20 @@ Index blurredIndex(const volume::Volume& volume, const volume::IndexBox& box) {
     index.background = volume.background("ior", vec3(1)).x;
     index.least = index.most = index.background;
     if (!volume.has("ior")) return index;
-    index.grid = volume.dense("ior", box);
+    index.grid = volume.bricks("ior", box);
     index.inHalf = volume.isStoredInHalf("ior");
-    const auto& values = index.grid.values;
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    index.least = *least;
-    index.most = *most;
+    index.least = index.most = index.grid.at(ivec3(0));
+    widen(index, index.grid);
     const ivec3 size = index.grid.size;
-    size_t i = 0;
+    const auto look = [&](int x, int y, int z) {
+        const float jump = std::abs(index.grid.at({x, y, z}) - index.background);
+        index.jumpAtFaces = std::max(index.jumpAtFaces, jump);
+    };
     for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x, ++i) {
-                const bool face = x == 0 || y == 0 || z == 0 || x == size.x - 1 ||
-                                  y == size.y - 1 || z == size.z - 1;
-                if (face)
-                    index.jumpAtFaces =
-                        std::max(index.jumpAtFaces, std::abs(values[i] - index.background));
-            }
+        for (int y = 0; y < size.y; ++y) {
+            const bool face = z == 0 || z == size.z - 1 || y == 0 || y == size.y - 1;
+            for (int x = 0; x < size.x; x += face ? 1 : std::max(size.x - 1, 1)) look(x, y, z);
+        }
     return index;
 }
 

@@ -5,6 +5,7 @@
 #include "gpu/resources.h"
 
 #include <glm/vec3.hpp>
+#include <tbb/parallel_for.h>
 #include <vector>
 
 namespace eikonal::scene {
@@ -24,13 +25,13 @@ gpu::Texture makePadded(gpu::Device& device, glm::ivec3 size, gpu::TexelFormat f
     const auto components = static_cast<size_t>(gpu::componentsOf(format));
     const glm::ivec3 outer = size + 2;
     std::vector<float> padded(static_cast<size_t>(outer.x) * outer.y * outer.z * components);
-    size_t voxel = 0;
-    for (int z = 0; z < size.z; ++z)
+    tbb::parallel_for(0, size.z, [&](int z) {
         for (int y = 0; y < size.y; ++y) {
             const size_t row = (static_cast<size_t>(z + 1) * outer.y + (y + 1)) * outer.x + 1;
             float* out = padded.data() + row * components;
-            for (int x = 0; x < size.x; ++x, out += components) pack(voxel++, out);
+            for (int x = 0; x < size.x; ++x, out += components) pack(glm::ivec3(x, y, z), out);
         }
+    });
     extendPadding(padded, size, static_cast<int>(components), floorAtZero);
     gpu::Texture texture(device, outer, format, gpu::Filter::linear);
     texture.upload(padded.data());

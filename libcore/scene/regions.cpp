@@ -16,36 +16,40 @@ namespace {
 // Voxels this near a boundary are sampled by rays on its far side's account [voxel].
 constexpr float kReach = 3;
 
-/// Whether a voxel of the domain may be sampled on behalf of a region.
-class Mask {
-public:
-    /// Where an object is, and round it; all of the domain if there is none.
-    Mask(ivec3 size, const Object* object) : mSize(size), mObject(object) {}
+vec3 valueAt(const volume::BrickGrid& grid, const ivec3& voxel) {
+    return grid.components == 1 ? vec3(grid.at(voxel))
+                                : vec3(grid.at(voxel, 0), grid.at(voxel, 1), grid.at(voxel, 2));
+}
 
-    template<typename Visit> void forEach(const Visit& visit) const {
-        const volume::IndexBox box = mObject ? mObject->box : volume::IndexBox{ivec3(0), mSize - 1};
-        for (int z = box.min.z; z <= box.max.z; ++z)
-            for (int y = box.min.y; y <= box.max.y; ++y)
-                for (int x = box.min.x; x <= box.max.x; ++x)
-                    if (!mObject || mObject->distance.at({x, y, z}) < kReach)
-                        visit((static_cast<size_t>(z) * mSize.y + y) * mSize.x + x);
-    }
-
-private:
-    ivec3 mSize;
-    const Object* mObject = nullptr;
-};
-
-Values collapsed(volume::DenseGrid grid, const Mask& mask, const vec3& fallback) {
-    Values result;
-    const auto components = static_cast<size_t>(grid.components);
-    const auto valueAt = [&](size_t voxel) {
-        const float* v = grid.values.data() + voxel * components;
-        return components == 1 ? vec3(v[0]) : vec3(v[0], v[1], v[2]);
+/// The values of a grid that may be sampled on behalf of an object's region, where it is and round
+/// it; all of the domain's if there is none. `visit(value, voxels)`, once where many are the same.
+template<typename Visit>
+void forEachSampled(const volume::BrickGrid& grid, const Object* object, const Visit& visit) {
+    const volume::IndexBox box = object ? object->box : volume::IndexBox{ivec3(0), grid.size - 1};
+    const auto isSampled = [&](const ivec3& voxel) {
+        return !object || object->distance.at(voxel) < kReach;
     };
+    for (size_t brick = 0; brick < grid.page.size(); ++brick) {
+        const ivec3 corner = grid.voxelOf(brick);
+        const ivec3 low = glm::max(corner, box.min);
+        const ivec3 high = glm::min(corner + volume::kBrick - 1, box.max);
+        const volume::IndexBox part{low, high};
+        if (part.empty()) continue;
+        if (grid.page[brick] < 0 && (!object || object->distance.page[brick] < 0)) {
+            if (isSampled(low)) visit(valueAt(grid, low), part.voxels());
+            continue;
+        }
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    if (isSampled({x, y, z})) visit(valueAt(grid, {x, y, z}), 1);
+    }
+}
+
+Values collapsed(volume::BrickGrid grid, const Object* object, const vec3& fallback) {
+    Values result;
     bool found = false, varies = false;
-    mask.forEach([&](size_t voxel) {
-        const vec3 value = valueAt(voxel);
+    forEachSampled(grid, object, [&](const vec3& value, std::int64_t) {
         if (!found) result.value = value;
         varies = varies || value != result.value;
         found = true;
@@ -62,9 +66,9 @@ vec3 absentValue(const std::string& grid) {
 /// Reads grids for one region.
 class Reader {
 public:
-    Reader(const volume::Volume& volume, const volume::IndexBox& box, const Mask& mask,
+    Reader(const volume::Volume& volume, const volume::IndexBox& box, const Object* object,
            std::string suffix, bool ownGrids)
-        : mVolume(volume), mBox(box), mMask(mask), mSuffix(std::move(suffix)), mOwn(ownGrids) {}
+        : mVolume(volume), mBox(box), mObject(object), mSuffix(std::move(suffix)), mOwn(ownGrids) {}
 
     Values operator()(const std::string& grid) const {
         const std::string own = volume::ownGrid(grid, mSuffix);
@@ -77,17 +81,17 @@ private:
     Values read(const std::string& grid, const vec3& absent) const {
         if (!mVolume.has(grid)) return {absent, {}};
         if (const auto value = mVolume.constant(grid)) return {*value, {}};
-        return collapsed(mVolume.dense(grid, mBox), mMask, absent);
+        return collapsed(mVolume.bricks(grid, mBox), mObject, absent);
     }
 
     const volume::Volume& mVolume;
     const volume::IndexBox& mBox;
-    const Mask& mMask;
+    const Object* mObject;
     std::string mSuffix;
     bool mOwn;
 };
 
-Region readAll(const std::string& name, const Mask& mask, const Reader& read) {
+Region readAll(const std::string& name, const Object* object, const Reader& read) {
     Region region;
     region.name = name;
     region.index = read("ior");
@@ -100,9 +104,9 @@ Region readAll(const std::string& name, const Mask& mask, const Reader& read) {
     if (opacity.varies()) { // made elsewhere, with an edge of its own: most of the inside decides
         double sum = 0;
         std::int64_t voxels = 0;
-        mask.forEach([&](size_t voxel) {
-            sum += opacity.grid.values[voxel];
-            ++voxels;
+        forEachSampled(opacity.grid, object, [&](const vec3& value, std::int64_t count) {
+            sum += static_cast<double>(count) * static_cast<double>(value.x);
+            voxels += count;
         });
         opacity.value = vec3(static_cast<float>(sum / static_cast<double>(voxels)));
     }
@@ -115,22 +119,19 @@ Region readAll(const std::string& name, const Mask& mask, const Reader& read) {
 
 bool Values::grey() const {
     if (!varies()) return value.x == value.y && value.y == value.z;
-    for (size_t i = 0; grid.components == 3 && i < grid.values.size(); i += 3)
-        if (grid.values[i] != grid.values[i + 1] || grid.values[i] != grid.values[i + 2])
-            return false;
-    return true;
-}
-
-float Values::at(size_t voxel, int component) const {
-    if (!varies()) return value[component];
-    return grid.components == 1 ? grid.values[voxel]
-                                : grid.values[3 * voxel + static_cast<size_t>(component)];
+    bool grey = true;
+    for (size_t brick = 0; grid.components == 3 && grey && brick < grid.page.size(); ++brick)
+        grid.forEachValue(brick, [&](const float* v) { grey &= v[0] == v[1] && v[0] == v[2]; });
+    return grey;
 }
 
 float Values::most(int component) const {
     if (!varies()) return value[component];
-    float most = at(0, component);
-    for (size_t i = 0; i < grid.voxels(); ++i) most = std::max(most, at(i, component));
+    float most = at(ivec3(0), component);
+    for (size_t brick = 0; brick < grid.page.size(); ++brick)
+        grid.forEachValue(brick, [&](const float* v) {
+            most = std::max(most, v[grid.components == 1 ? 0 : component]);
+        });
     return most;
 }
 
@@ -140,13 +141,12 @@ bool Region::coefficientsVary() const {
 
 Values readValues(const volume::Volume& volume, const std::string& grid,
                   const volume::IndexBox& box) {
-    return Reader(volume, box, Mask(box.size(), nullptr), "", false)(grid);
+    return Reader(volume, box, nullptr, "", false)(grid);
 }
 
 Region readRegion(const volume::Volume& volume, const std::string& name,
                   const volume::IndexBox& box, const Object* object, bool own) {
-    const Mask mask(box.size(), object);
-    return readAll(name, mask, Reader(volume, box, mask, name, own));
+    return readAll(name, object, Reader(volume, box, object, name, own));
 }
 
 RegionParams paramsOf(const Region& region, float voxelSize, float page) {

@@ -12,13 +12,17 @@ namespace eikonal::scene {
 /// A grid's values in a region: one for all of it, or one per voxel of the domain.
 struct Values {
     glm::vec3 value{0};     ///< a scalar stands in all three components
-    volume::DenseGrid grid; ///< empty if it does not vary
+    volume::BrickGrid grid; ///< empty if it does not vary
 
-    bool varies() const { return !grid.values.empty(); }
+    bool varies() const { return !grid.page.empty(); }
     bool isZero() const { return !varies() && value == glm::vec3(0); }
     /// Whether R = G = B everywhere.
     bool grey() const;
-    float at(size_t voxel, int component) const;
+    /// Whether a brick of the domain has one value.
+    bool isEven(size_t brick) const { return !varies() || grid.page[brick] < 0; }
+    float at(const glm::ivec3& voxel, int component) const {
+        return !varies() ? value[component] : grid.at(voxel, grid.components == 1 ? 0 : component);
+    }
     /// The largest value of a component.
     float most(int component) const;
 };

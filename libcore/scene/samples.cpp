@@ -69,25 +69,26 @@ void extendBeyond(float* face, std::ptrdiff_t inward, int count, double floorOf,
 
 } // namespace
 
-Potential makePotential(const volume::DenseGrid& index) {
+Potential makePotential(const volume::BrickGrid& index) {
     Potential potential;
     potential.size = index.size;
-    const auto first = static_cast<double>(index.values.front());
+    const auto first = static_cast<double>(index.at(ivec3(0)));
     potential.squareAtZero = first * first;
     const ivec3 size = index.size, outer = potential.outer();
     potential.values.assign(static_cast<size_t>(outer.x) * outer.y * outer.z, 0.0f);
     const auto place = [&](int x, int y, int z) {
         return (static_cast<size_t>(z + kMargin) * outer.y + (y + kMargin)) * outer.x + kMargin + x;
     };
-    size_t voxel = 0;
-    for (int z = 0; z < size.z; ++z)
+    forEachSlice(size.z, [&](int z) {
         for (int y = 0; y < size.y; ++y) {
             float* row = potential.values.data() + place(0, y, z);
+            index.copyRow(y, z, row);
             for (int x = 0; x < size.x; ++x) {
-                const auto n = static_cast<double>(index.values[voxel++]);
+                const auto n = static_cast<double>(row[x]);
                 row[x] = static_cast<float>(0.5 * (n - first) * (n + first));
             }
         }
+    });
     // Axis after axis, each including the margin that those before made.
     const double kFloor = 1.0 / 16; // of n²: a quarter of n
     Span span{ivec3(kMargin), ivec3(kMargin) + size};

@@ -27,7 +27,7 @@ struct Potential {
 /// second differences of one sign and within a factor of two), by the lesser second difference
 /// where those have one sign, else linearly. n does not fall below a quarter of its value at the
 /// face.
-Potential makePotential(const volume::DenseGrid& index);
+Potential makePotential(const volume::BrickGrid& index);
 
 /// Adds τ²/24 |∇U|², limited where U bends so much that steps of τ can't follow.
 void correctForVerlet(Potential& potential, double tau);

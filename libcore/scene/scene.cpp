@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "scene/index.h"
 #include "scene/shared.h"
+#include "volume/make_bricks.h"
 
 #include <algorithm>
 #include <glm/matrix.hpp>
@@ -20,49 +21,66 @@ Values readFirst(const Files& files, const std::string& grid) {
     return readValues(volume ? *volume : files.first(), grid, files.domain());
 }
 
+/// What each file holds.
+std::vector<Values> readOfAll(const Files& files, const std::string& grid) {
+    std::vector<Values> all;
+    for (const volume::Volume* volume : files.all())
+        all.push_back(readValues(*volume, grid, files.domain()));
+    return all;
+}
+
 /// [W/m²], the sum of all files.
 Values readFluence(const Files& files) {
-    Values sum = readValues(*files.all().front(), "fluence", files.domain());
-    for (size_t f = 1; f < files.all().size(); ++f) {
-        const Values part = readValues(*files.all()[f], "fluence", files.domain());
-        if (!part.varies() && !sum.varies()) {
-            sum.value += part.value;
-            continue;
-        }
-        if (!sum.varies()) {
-            const auto voxels = static_cast<size_t>(files.domain().voxels());
-            sum.grid = {files.domain().size(), 3, std::vector<float>(3 * voxels)};
-            for (size_t i = 0; i < 3 * voxels; ++i)
-                sum.grid.values[i] = sum.value[static_cast<int>(i % 3)];
-        }
-        for (size_t i = 0; i < sum.grid.values.size(); ++i)
-            sum.grid.values[i] += part.at(i / 3, static_cast<int>(i % 3));
+    std::vector<Values> parts = readOfAll(files, "fluence");
+    if (parts.size() == 1) return std::move(parts.front());
+    Values sum;
+    bool varies = false;
+    for (const Values& part : parts) {
+        sum.value += part.value;
+        varies |= part.varies();
     }
+    if (!varies) return sum;
+    const auto isEven = [&](size_t brick) {
+        return std::all_of(parts.begin(), parts.end(),
+                           [=](const Values& part) { return part.isEven(brick); });
+    };
+    sum.grid = volume::makeBricks(files.domain().size(), files.domain().firstBrick(), 3, isEven,
+                                  [&](const glm::ivec3& voxel, float* out) {
+                                      std::fill_n(out, 3, 0.0f);
+                                      for (const Values& part : parts)
+                                          for (int c = 0; c < 3; ++c) out[c] += part.at(voxel, c);
+                                  });
     return sum;
 }
 
 /// World space, weighted by the files' fluence.
 Values readDirection(const Files& files) {
-    if (files.all().size() == 1)
-        return readValues(files.first(), "light_direction", files.domain());
-    const auto voxels = static_cast<size_t>(files.domain().voxels());
+    std::vector<Values> parts = readOfAll(files, "light_direction");
+    if (parts.size() == 1) return std::move(parts.front());
+    const std::vector<Values> weights = readOfAll(files, "fluence");
     Values mean;
-    std::vector<float> power(voxels, 0.0f);
-    for (const volume::Volume* volume : files.all()) {
-        const Values part = readValues(*volume, "light_direction", files.domain());
-        const Values weight = readValues(*volume, "fluence", files.domain());
-        if (part.isZero() || weight.isZero()) continue;
-        if (!mean.varies())
-            mean.grid = {files.domain().size(), 3, std::vector<float>(3 * voxels, 0.0f)};
-        for (size_t i = 0; i < voxels; ++i) {
-            const float p = weight.at(i, 0) + weight.at(i, 1) + weight.at(i, 2);
-            power[i] += p;
-            for (int c = 0; c < 3; ++c)
-                mean.grid.values[3 * i + static_cast<size_t>(c)] += p * part.at(i, c);
-        }
-    }
-    for (size_t i = 0; mean.varies() && i < voxels; ++i)
-        for (size_t c = 0; c < 3 && power[i] > 0; ++c) mean.grid.values[3 * i + c] /= power[i];
+    if (std::all_of(parts.begin(), parts.end(), [](const Values& v) { return v.isZero(); }))
+        return mean;
+    const auto isEven = [&](size_t brick) {
+        bool even = true;
+        for (size_t f = 0; f < parts.size(); ++f)
+            even &= parts[f].isEven(brick) && weights[f].isEven(brick);
+        return even;
+    };
+    mean.grid = volume::makeBricks(
+        files.domain().size(), files.domain().firstBrick(), 3, isEven,
+        [&](const glm::ivec3& voxel, float* out) {
+            float power = 0;
+            std::fill_n(out, 3, 0.0f);
+            for (size_t f = 0; f < parts.size(); ++f) {
+                if (parts[f].isZero()) continue;
+                const Values& weight = weights[f];
+                const float p = weight.at(voxel, 0) + weight.at(voxel, 1) + weight.at(voxel, 2);
+                power += p;
+                for (int c = 0; c < 3; ++c) out[c] += p * parts[f].at(voxel, c);
+            }
+            for (int c = 0; c < 3 && power > 0; ++c) out[c] /= power;
+        });
     return mean;
 }
 

@@ -17,7 +17,7 @@ namespace eikonal::scene {
 /// The refractive index where it varies; of several regions each voxel has that of the varying one
 /// which is nearest, so that look-ups within one find its own values alone.
 struct Index {
-    volume::DenseGrid grid; ///< empty where it does not vary
+    volume::BrickGrid grid; ///< empty where it does not vary
     float background = 1;   ///< outside the domain
     float least = 1, most = 1;
     /// The largest jump between the domain's outermost voxels and the outside; of blurred

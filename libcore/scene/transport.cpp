@@ -41,7 +41,7 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
     : mSharp(scene.sharp) {
     const bool fitted =
         steps.equal && tracing.integrator == optics::Integrator::verlet && tracing.unbiased();
-    mField = scene.index.varies() ? Field(device, scene.index.grid,
+    mField = scene.index.varies() ? Field(device, scene.index.grid, scene.index.least,
                                           {tracing.sampling(), tracing.unbiased(),
                                            fitted ? tauOf(scene, steps.longest) : 0})
                                   : Field(device, scene.index.least);

@@ -60,18 +60,18 @@ Texture padded(gpu::Device& device, const Plan& plan, TexelFormat format, bool f
 /// Per voxel the three components of some values, times a factor.
 Texture paddedRgb(gpu::Device& device, const Plan& plan, const scene::Values& values,
                   float factor) {
-    return padded(device, plan, TexelFormat::rgba32f, true, [&](size_t i, float* out) {
+    return padded(device, plan, TexelFormat::rgba32f, true, [&](const glm::ivec3& i, float* out) {
         for (int c = 0; c < 3; ++c) out[c] = values.at(i, c) * factor;
     });
 }
 
-/// In voxel space, times the fluence's sum over rgb, and g beside it: an interpolated mean direction is
-/// that of the light there only if each voxel's counts by its light.
+/// In voxel space, times the fluence's sum over rgb, and g beside it: an interpolated mean
+/// direction is that of the light there only if each voxel's counts by its light.
 Texture makeDirection(gpu::Device& device, const Plan& plan) {
     const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()));
     const scene::Values& direction = plan.scene.light.direction;
     const scene::Values& fluence = plan.scene.light.fluence;
-    return padded(device, plan, TexelFormat::rgba32f, false, [&](size_t i, float* out) {
+    return padded(device, plan, TexelFormat::rgba32f, false, [&](const glm::ivec3& i, float* out) {
         const float light = fluence.at(i, 0) + fluence.at(i, 1) + fluence.at(i, 2);
         const glm::vec3 d =
             light * (voxelFromWorld *
@@ -95,19 +95,19 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
     const scene::Region& medium = plan.scene.medium();
     const auto h = static_cast<float>(plan.scene.voxelSize()); // 1/unit to 1/voxel
     const bool glows = plan.scatters || plan.emits;
-    const auto sigma = [&](size_t i, int c) {
+    const auto sigma = [&](const glm::ivec3& i, int c) {
         return (medium.absorption.at(i, c) + medium.scattering.at(i, c)) * h;
     };
     // Radiance gained per voxel of length; the phase function and emission come later where
     // scattering prefers a direction.
-    const auto source = [&](size_t i, int c) {
+    const auto source = [&](const glm::ivec3& i, int c) {
         const float scattered =
             plan.scatters ? medium.scattering.at(i, c) * plan.scene.light.fluence.at(i, c) * h : 0;
         if (plan.anisotropic) return scattered;
         return scattered * kIsotropicPhase + medium.emission.at(i, c) * h;
     };
     const auto pack = [&](int components, TexelFormat format, const auto& values) {
-        return padded(device, plan, format, true, [&](size_t i, float* out) {
+        return padded(device, plan, format, true, [&](const glm::ivec3& i, float* out) {
             for (int c = 0; c < components; ++c) out[c] = values(i, c);
         });
     };
@@ -115,7 +115,7 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
         media.extinction = pack(3, TexelFormat::rgba32f, sigma);
         if (glows) media.source = pack(3, TexelFormat::rgba32f, source);
     } else if (glows) {
-        media.extinction = pack(2, TexelFormat::rg32f, [&](size_t i, int c) {
+        media.extinction = pack(2, TexelFormat::rg32f, [&](const glm::ivec3& i, int c) {
             return c == 0 ? sigma(i, 0) : source(i, 0);
         });
     } else if (plan.dims) {
@@ -124,10 +124,11 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
     if (plan.anisotropic && plan.emits)
         media.emission = paddedRgb(device, plan, medium.emission, h);
     if (plan.opaque)
-        media.opacity = padded(device, plan, TexelFormat::rgba32f, true, [&](size_t i, float* out) {
-            out[0] = medium.opacity.at(i, 0);
-            for (int c = 0; c < 3; ++c) out[1 + c] = medium.albedo.at(i, c);
-        });
+        media.opacity =
+            padded(device, plan, TexelFormat::rgba32f, true, [&](const glm::ivec3& i, float* out) {
+                out[0] = medium.opacity.at(i, 0);
+                for (int c = 0; c < 3; ++c) out[1 + c] = medium.albedo.at(i, c);
+            });
 }
 
 } // namespace

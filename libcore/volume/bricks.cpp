@@ -1,4 +1,4 @@
-// Scalar grids as bricks: out of OpenVDB's trees.
+// Grids as bricks: out of OpenVDB's trees.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/bricks.h"
 
@@ -18,18 +18,29 @@ namespace {
 
 using glm::ivec3;
 
+/// Returns where the next one goes.
+template<typename Value> float* copyValue(const Value& value, float* out) {
+    if constexpr (openvdb::VecTraits<Value>::IsVec) {
+        for (int c = 0; c < 3; ++c) *out++ = static_cast<float>(value[c]);
+    } else {
+        *out++ = static_cast<float>(value);
+    }
+    return out;
+}
+
 /// Voxel (x, y, z) of a leaf is at 64 x + 8 y + z.
 template<typename Leaf> void copyLeaf(const Leaf& leaf, float* out) {
     const auto* in = leaf.buffer().data();
     for (int z = 0; z < kBrick; ++z)
         for (int y = 0; y < kBrick; ++y)
             for (int x = 0; x < kBrick; ++x)
-                *out++ = static_cast<float>(in[kBrick * (kBrick * x + y) + z]);
+                out = copyValue(in[kBrick * (kBrick * x + y) + z], out);
 }
 
 template<typename Grid>
 void fill(const openvdb::GridBase& base, const IndexBox& box, BrickGrid& out) {
     const auto& tree = static_cast<const Grid&>(base).tree();
+    const auto components = static_cast<size_t>(out.components);
     using Leaf = typename Grid::TreeType::LeafNodeType;
     std::vector<const Leaf*> leaves(out.page.size());
     tbb::parallel_for(0, out.bricks.z, [&](int z) {
@@ -40,7 +51,8 @@ void fill(const openvdb::GridBase& base, const IndexBox& box, BrickGrid& out) {
                 const ivec3 p = box.min + out.first + kBrick * ivec3(x, y, z);
                 const openvdb::Coord at(p.x, p.y, p.z);
                 leaves[brick] = accessor.template probeConstNode<Leaf>(at);
-                if (!leaves[brick]) out.even[brick] = static_cast<float>(accessor.getValue(at));
+                if (!leaves[brick])
+                    copyValue(accessor.getValue(at), out.even.data() + brick * components);
             }
     });
     std::vector<size_t> uneven;
@@ -49,46 +61,30 @@ void fill(const openvdb::GridBase& base, const IndexBox& box, BrickGrid& out) {
             out.page[brick] = static_cast<std::int32_t>(uneven.size());
             uneven.push_back(brick);
         }
-    out.values.resize(uneven.size() * kBrickVoxels);
+    out.values.resize(uneven.size() * kBrickVoxels * components);
     tbb::parallel_for(size_t{0}, uneven.size(), [&](size_t i) {
-        copyLeaf(*leaves[uneven[i]], out.values.data() + i * kBrickVoxels);
+        copyLeaf(*leaves[uneven[i]], out.values.data() + i * kBrickVoxels * components);
     });
 }
 
 /// The first voxel of a brick within the box whose value breaks the rule, and how.
 std::optional<std::string> faultOf(const GridRule* rule, const BrickGrid& grid, size_t brick,
-                                   const IndexBox& box) {
+                                   const ivec3& origin) {
     const bool even = grid.page[brick] < 0;
-    const float* values =
-        even ? &grid.even[brick]
-             : grid.values.data() + static_cast<size_t>(grid.page[brick]) * kBrickVoxels;
+    const float* values = grid.valuesOf(brick);
     for (int i = 0; i < (even ? 1 : kBrickVoxels); ++i) {
-        const auto wrong = fault(rule, values[i]);
+        std::optional<std::string> wrong;
+        for (int c = 0; c < grid.components && !wrong; ++c)
+            wrong = fault(rule, values[i * grid.components + c]);
         if (!wrong) continue;
         ivec3 p = grid.voxelOf(brick) + ivec3(i % kBrick, i / kBrick % kBrick, i / kBrick / kBrick);
         if (even) p = glm::max(p, ivec3(0));
         if (p != glm::clamp(p, ivec3(0), grid.size - 1)) continue;
-        const ivec3 voxel = p + box.min;
+        const ivec3 voxel = p + origin;
         return "voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
                std::to_string(voxel.z) + ") " + *wrong;
     }
     return std::nullopt;
-}
-
-/// Throws DataError for the first value within the box that breaks the rule.
-void check(const GridRule* rule, const BrickGrid& grid, const IndexBox& box,
-           const std::string& where) {
-    const size_t plane = static_cast<size_t>(grid.bricks.x) * grid.bricks.y;
-    std::vector<std::string> faults(static_cast<size_t>(grid.bricks.z));
-    tbb::parallel_for(size_t{0}, faults.size(), [&](size_t z) {
-        for (size_t brick = z * plane; brick < (z + 1) * plane; ++brick)
-            if (const auto wrong = faultOf(rule, grid, brick, box)) {
-                faults[z] = *wrong;
-                return;
-            }
-    });
-    for (const std::string& wrong : faults)
-        if (!wrong.empty()) throw DataError(where + ": " + wrong);
 }
 
 } // namespace
@@ -101,6 +97,26 @@ BrickGrid::BrickGrid(const ivec3& boxSize, const ivec3& firstVoxel, float value,
     even.assign(count * static_cast<size_t>(components), value);
 }
 
+const float* BrickGrid::valuesOf(size_t brick) const {
+    const auto count = static_cast<size_t>(components);
+    return page[brick] < 0
+               ? even.data() + brick * count
+               : values.data() + static_cast<size_t>(page[brick]) * kBrickVoxels * count;
+}
+
+void BrickGrid::copyRow(int y, int z, float* out) const {
+    for (int x = 0; x < size.x;) {
+        const size_t brick = brickOf({x, y, z});
+        const ivec3 p = (ivec3(x, y, z) - first) & (kBrick - 1);
+        const int count = std::min(kBrick - p.x, size.x - x);
+        if (page[brick] < 0)
+            std::fill_n(out + x, count, even[brick]);
+        else
+            std::copy_n(valuesOf(brick) + (p.z * kBrick + p.y) * kBrick + p.x, count, out + x);
+        x += count;
+    }
+}
+
 bool BrickGrid::isCut(size_t brick) const {
     const ivec3 low = voxelOf(brick);
     return low != glm::max(low, ivec3(0)) || low + kBrick != glm::min(low + kBrick, size);
@@ -111,19 +127,35 @@ ivec3 BrickGrid::voxelOf(size_t brick) const {
     return first + kBrick * ivec3(b % bricks.x, b / bricks.x % bricks.y, b / bricks.x / bricks.y);
 }
 
+std::optional<std::string> findFault(const GridRule* rule, const BrickGrid& grid,
+                                     const glm::ivec3& origin) {
+    const size_t plane = static_cast<size_t>(grid.bricks.x) * grid.bricks.y;
+    std::vector<std::optional<std::string>> faults(static_cast<size_t>(grid.bricks.z));
+    tbb::parallel_for(size_t{0}, faults.size(), [&](size_t z) {
+        for (size_t brick = z * plane; brick < (z + 1) * plane && !faults[z]; ++brick)
+            faults[z] = faultOf(rule, grid, brick, origin);
+    });
+    for (const auto& wrong : faults)
+        if (wrong) return wrong;
+    return std::nullopt;
+}
+
 BrickGrid Volume::bricks(const std::string& grid, const IndexBox& box) const {
     require(grid);
     Entry& entry = mImpl->numbers(grid);
-    if (entry.type != GridType::scalar)
-        throw InternalError(mImpl->where(grid) + ": bricks are of scalars");
-    const ivec3 low(box.min.x & (kBrick - 1), box.min.y & (kBrick - 1), box.min.z & (kBrick - 1));
     try {
-        BrickGrid out(box.size(), -low, 0);
-        if (entry.grid->isType<openvdb::FloatGrid>())
-            fill<openvdb::FloatGrid>(*entry.grid, box, out);
+        BrickGrid out(box.size(), box.firstBrick(), 0, entry.type == GridType::vector ? 3 : 1);
+        const openvdb::GridBase& values = *entry.grid;
+        if (values.isType<openvdb::FloatGrid>())
+            fill<openvdb::FloatGrid>(values, box, out);
+        else if (values.isType<openvdb::DoubleGrid>())
+            fill<openvdb::DoubleGrid>(values, box, out);
+        else if (values.isType<openvdb::Vec3SGrid>())
+            fill<openvdb::Vec3SGrid>(values, box, out);
         else
-            fill<openvdb::DoubleGrid>(*entry.grid, box, out);
-        check(ruleFor(grid), out, box, mImpl->where(grid));
+            fill<openvdb::Vec3DGrid>(values, box, out);
+        if (const auto wrong = findFault(ruleFor(grid), out, box.min))
+            throw DataError(mImpl->where(grid) + ": " + *wrong);
         return out;
     } catch (const std::bad_alloc&) {
         throw MemoryError(mImpl->where(grid) + " needs more memory than there is");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -41,10 +42,29 @@ struct BrickGrid {
         const auto place = static_cast<size_t>((p.z * kBrick + p.y) * kBrick + p.x);
         return values[(static_cast<size_t>(page[brick]) * kBrickVoxels + place) * count + c];
     }
+    /// The one value of a brick that is even, else its kBrickVoxels values; outside the box too.
+    const float* valuesOf(size_t brick) const;
     /// Whether the box ends within a brick.
     bool isCut(size_t brick) const;
+    /// The box's values of row (y, z), x from 0 on, of a grid of one component.
+    void copyRow(int y, int z, float* out) const;
+    /// Calls `visit(values)` with a brick's values within the box: once for an even one,
+    /// else of each voxel, `components` floats.
+    template<typename Visit> void forEachValue(size_t brick, const Visit& visit) const;
     /// The first voxel of a brick; of one at the rim it may lie outside the box.
     glm::ivec3 voxelOf(size_t brick) const;
 };
+
+template<typename Visit> void BrickGrid::forEachValue(size_t brick, const Visit& visit) const {
+    const float* all = valuesOf(brick);
+    if (page[brick] < 0) return visit(all);
+    const glm::ivec3 low = voxelOf(brick);
+    const glm::ivec3 from = glm::max(-low, glm::ivec3(0));
+    const glm::ivec3 to = glm::min(size - low, glm::ivec3(kBrick));
+    for (int z = from.z; z < to.z; ++z)
+        for (int y = from.y; y < to.y; ++y)
+            for (int x = from.x; x < to.x; ++x)
+                visit(all + static_cast<size_t>((z * kBrick + y) * kBrick + x) * components);
+}
 
 } // namespace eikonal::volume

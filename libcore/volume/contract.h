@@ -28,5 +28,7 @@ std::optional<std::string> fault(const GridRule* rule, float value);
 /// > 0"), or nothing. `origin` is the index of the grid's first voxel.
 std::optional<std::string> findFault(const GridRule* rule, const DenseGrid& grid,
                                      const glm::ivec3& origin);
+std::optional<std::string> findFault(const GridRule* rule, const BrickGrid& grid,
+                                     const glm::ivec3& origin);
 
 } // namespace eikonal::volume

@@ -53,6 +53,8 @@ struct Volume::Impl {
     void open();
     /// A grid of numbers that is there, its tree read.
     Entry& numbers(const std::string& grid);
+    /// The grid that one of so many components would replace, its tree read, or null.
+    const Entry* replaced(const std::string& grid, int components);
     /// What an entry is written as. Throws InternalError if OpenVDB wrote no whole grid.
     VdbBody bodyOf(const Entry& entry) const;
     /// Takes in a grid made under its contract name, in place of one of that name.

@@ -114,10 +114,10 @@ template<typename Floats, typename Doubles> void keepActive(Floats& made, const 
     openvdb::tools::prune(made.tree());
 }
 
-void requireNumbers(const BrickGrid& values, const std::string& grid) {
-    for (const std::vector<float>* some : {&values.even, &values.values})
-        if (!std::all_of(some->begin(), some->end(), [](float v) { return std::isfinite(v); }))
-            throw InternalError("grid '" + grid + "': a value is no number");
+template<typename Values>
+void requireNumbers(const Values& values, const IndexBox& box, const std::string& grid) {
+    if (const auto wrong = findFault(nullptr, values, box.min))
+        throw InternalError("grid '" + grid + "': " + *wrong);
 }
 
 void describe(GridBase& made, const std::string& name, const PutOptions& options) {
@@ -129,50 +129,54 @@ void describe(GridBase& made, const std::string& name, const PutOptions& options
 
 } // namespace
 
-void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
-                 const PutOptions& options) {
-    if (const auto wrong = findFault(nullptr, values, box.min))
-        throw InternalError("grid '" + grid + "': " + *wrong);
-    const GridType type = values.components == 3 ? GridType::vector : GridType::scalar;
-    const Entry* old = mImpl->find(grid);
-    if (old && old->type != type) old = nullptr;
-    if (old) old = &mImpl->numbers(grid);
-    GridBase::Ptr made;
+namespace {
+
+/// Makes a grid of values and describes it, by what `old` (or null) was.
+template<typename Values>
+GridBase::Ptr made(const std::string& grid, const IndexBox& box, const Values& values,
+                   const PutOptions& options, const Entry* old) {
+    GridBase::Ptr result;
     const glm::vec3 b = options.background;
-    if (type == GridType::vector) {
+    if (values.components == 3) {
         const auto vectors =
             copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
         if (old && options.keepActive)
             keepActive<Vec3SGrid, openvdb::Vec3DGrid>(*vectors, *old->grid);
-        made = vectors;
+        result = vectors;
     } else {
         const auto scalars = copyIn<FloatGrid>(box, values, b.x, options.allActive);
         if (old && options.keepActive)
             keepActive<FloatGrid, openvdb::DoubleGrid>(*scalars, *old->grid);
-        made = scalars;
+        result = scalars;
     }
     if (old) {
-        made->setName(grid);
-        inherit(*made, *old->grid);
+        result->setName(grid);
+        inherit(*result, *old->grid);
     } else {
-        made->setCreator("eikonal");
+        result->setCreator("eikonal");
     }
-    describe(*made, grid, options);
-    mImpl->place(made);
+    describe(*result, grid, options);
+    return result;
+}
+
+} // namespace
+
+const Entry* Volume::Impl::replaced(const std::string& grid, int components) {
+    const Entry* old = find(grid);
+    const GridType type = components == 3 ? GridType::vector : GridType::scalar;
+    return old && old->type == type ? &numbers(grid) : nullptr;
+}
+
+void Volume::put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
+                 const PutOptions& options) {
+    requireNumbers(values, box, grid);
+    mImpl->place(made(grid, box, values, options, mImpl->replaced(grid, values.components)));
 }
 
 void Volume::put(const std::string& grid, const IndexBox& box, const BrickGrid& values,
                  const PutOptions& options) {
-    requireNumbers(values, grid);
-    GridBase::Ptr made;
-    const glm::vec3 b = options.background;
-    if (values.components == 3)
-        made = copyIn<Vec3SGrid>(box, values, openvdb::Vec3s(b.x, b.y, b.z), options.allActive);
-    else
-        made = copyIn<FloatGrid>(box, values, b.x, options.allActive);
-    made->setCreator("eikonal");
-    describe(*made, grid, options);
-    mImpl->place(made);
+    requireNumbers(values, box, grid);
+    mImpl->place(made(grid, box, values, options, mImpl->replaced(grid, values.components)));
 }
 
 void Volume::putConstant(const std::string& grid, const glm::vec3& value) {
@@ -203,15 +207,14 @@ void Volume::Impl::placeLevelSet(const ObjectFacts& object, const openvdb::Float
 
 void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const DenseGrid& values,
                          double halfWidth) {
-    if (const auto wrong = findFault(nullptr, values, box.min))
-        throw InternalError("grid '" + object.sdf + "': " + *wrong);
+    requireNumbers(values, box, object.sdf);
     const auto far = static_cast<float>(halfWidth * mImpl->frame.voxelSize);
     mImpl->placeLevelSet(object, makeLevelSet(box, values, far));
 }
 
 void Volume::putLevelSet(const ObjectFacts& object, const IndexBox& box, const BrickGrid& values,
                          double halfWidth) {
-    requireNumbers(values, object.sdf);
+    requireNumbers(values, box, object.sdf);
     const auto far = static_cast<float>(halfWidth * mImpl->frame.voxelSize);
     mImpl->placeLevelSet(object, makeLevelSet(box, values, far));
 }

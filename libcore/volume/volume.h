@@ -23,6 +23,8 @@ struct IndexBox {
     bool empty() const { return max.x < min.x || max.y < min.y || max.z < min.z; }
     glm::ivec3 size() const { return empty() ? glm::ivec3(0) : max - min + 1; }
     std::int64_t voxels() const { return std::int64_t{size().x} * size().y * size().z; }
+    /// Where the first brick of its voxels begins, from `min` on: BrickGrid::first.
+    glm::ivec3 firstBrick() const { return -(min & (kBrick - 1)); }
     void include(const IndexBox& other);
     bool operator==(const IndexBox&) const = default;
 };
@@ -123,7 +125,8 @@ public:
     /// above 0, coefficients not negative, |g| < 1. Throws DataError naming grid and voxel. A level
     /// set gives its band's half width beyond its band, negative inside.
     DenseGrid dense(const std::string& grid, const IndexBox& box) const;
-    /// The same of a grid of scalars, by bricks: what is even takes no memory.
+    /// The same by bricks: what is even takes no memory. Numbers where the contract wants vectors
+    /// stay one component.
     BrickGrid bricks(const std::string& grid, const IndexBox& box) const;
     /// Whether the file holds the grid's numbers in 16 bits.
     bool isStoredInHalf(const std::string& grid) const;
@@ -134,7 +137,6 @@ public:
     /// its metadata (class, creator, the user's own). Throws InternalError on a NaN or infinity.
     void put(const std::string& grid, const IndexBox& box, const DenseGrid& values,
              const PutOptions& options);
-    /// The same of bricks, for a grid that replaces none.
     void put(const std::string& grid, const IndexBox& box, const BrickGrid& values,
              const PutOptions& options);
     /// Adds or replaces a grid of the contract that is `value` everywhere: no active voxel, so that

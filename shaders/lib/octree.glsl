@@ -1,11 +1,7 @@
 // How far a photon may step: the leaves of the tolerance octree (Sun et al. 2008, §4.2 and §5.3).
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A leaf as stored: its level in the low 5 bits, the step limit above them in 1/16 voxel.
-uint packLeaf(uint level, float limit) {
-    return level | (uint(clamp(limit, 0.0, 1.0e6) * 16.0) << 5u);
-}
-
+// A leaf is stored with its level in the low 5 bits, the step limit above them in 1/16 voxel.
 uint leafLevel(uint leaf) {
     return leaf & 31u;
 }

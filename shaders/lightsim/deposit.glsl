@@ -6,15 +6,19 @@
 // is to do. Within the loop there is no atomic add but a deposit's own: software devices serialise the
 // lanes of every one of them, taken or not.
 #include "lib/attenuation.glsl"
-#include "shared/limits.h"
+#include "lightsim/bricks.glsl"
 
-// Fixed-point sums per voxel, one buffer a plane: the channels of fluence, then, where DIRECTION is 1,
+// Fixed-point sums per voxel, in planes: the channels of fluence, then, where DIRECTION is 1,
 // the net direction's x, y, z. Integer sums do not depend on the order of the adds. The host chooses
 // the unit so that every photon of a batch may cross one voxel; a sum that still nears the end of its
 // range, from photons that come back, is noticed in `overflowed`, and the batch is run again with a
 // smaller unit. A direction's component d in [−1, 1] adds (1 + d)/2 of the deposit, so these sums stay
 // below those of fluence and need no watch.
-layout(std430, binding = kPlanesBuffer) buffer Plane { uint sums[]; } planes[CHANNELS + 3 * DIRECTION];
+layout(r32ui, binding = kPlanesImage) uniform uimage3D sums;
+#ifndef SPARSE
+#error SPARSE must be 0 or 1
+#endif
+const bool kSparse = SPARSE == 1; // some bricks receive no light
 layout(binding = kOpaqueUnit) uniform usampler3D opaque; // per voxel, not 0 inside opaque material
 
 // What a photon carries beside its path.
@@ -29,6 +33,12 @@ struct Load {
     uint id;        // its pixel of the photon map
 };
 
+// Adds to the plane `plane` of a voxel.
+uint add(ivec3 texel, int plane, float amount) {
+    // By way of int, to which processors convert in one instruction.
+    return imageAtomicAdd(sums, texel + ivec3(0, 0, plane * params.bricks.w), uint(int(amount)));
+}
+
 Attenuation dimmingOf(float depth) {
     return kDense ? attenuationOf(depth) : thinAttenuationOf(depth);
 }
@@ -38,7 +48,6 @@ Attenuation dimmingOf(float depth) {
 // Returns the share of the way before an opaque voxel, 1 where there is none.
 float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA, vec3 sigmaS) {
     ivec3 size = params.size.xyz;
-    ivec3 stride = ivec3(1, size.x, size.x * size.y);
     float unit = params.limits.z;
     float stepLength = sqrt(dot(along, along));
     vec3 slope = stepLength / max(abs(along), vec3(1.0e-12));
@@ -48,8 +57,7 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
     // Steps mostly start on a voxel's face: a nudge finds the voxel that lies ahead.
     vec3 cell = clamp(floor(x + 0.5 + 1.0e-4 * turn), vec3(0.0), vec3(size - 1));
     vec3 crossing = (0.5 + (cell - x) * turn) * slope;
-    ivec3 jump = ivec3(turn) * stride;
-    int voxel = int(cell.x) + int(cell.y) * stride.y + int(cell.z) * stride.z;
+    ivec3 voxel = ivec3(cell) + params.first.xyz;
     vec3 sigmaT = sigmaA + sigmaS;
     vec3 spent = vec3(0.0); // weight times length over the whole piece
     float t = 0.0;
@@ -61,7 +69,7 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
         walking = leave < 0.999999 * stepLength;
         leave = walking ? leave : stepLength;
         float pathLength = max(leave - t, 0.0);
-        if (kOpaqueVoxels && texelFetch(opaque, ivec3(cell), 0).x != 0u) {
+        if (kOpaqueVoxels && texelFetch(opaque, voxel - params.first.xyz, 0).x != 0u) {
             ends = t / stepLength;
             break;
         }
@@ -79,32 +87,36 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
             path.throughput.x *= grey.through;
             spent.x += share.x;
         }
-        // Rounded up as often as the fraction says: nothing is gained or lost on average. By way
-        // of int, to which processors convert in one instruction.
-        load.phase = fract(load.phase + 0.61803399);
-        uint amount = uint(int(share.x * unit + load.phase));
-        load.fullest = max(load.fullest, atomicAdd(planes[0].sums[voxel], amount));
-#if CHANNELS == 3
-        uint second = uint(int(share.y * unit + load.phase));
-        uint third = uint(int(share.z * unit + load.phase));
-        load.fullest = max(load.fullest, atomicAdd(planes[1].sums[voxel], second));
-        load.fullest = max(load.fullest, atomicAdd(planes[2].sums[voxel], third));
-#endif
-#if DIRECTION
-        float power = unit * (kColour ? dot(share, params.colour.xyz) : share.x);
-        atomicAdd(planes[CHANNELS + 0].sums[voxel], uint(int(towards.x * power + load.phase)));
-        atomicAdd(planes[CHANNELS + 1].sums[voxel], uint(int(towards.y * power + load.phase)));
-        atomicAdd(planes[CHANNELS + 2].sums[voxel], uint(int(towards.z * power + load.phase)));
-#endif
-        ++load.deposits;
+        ivec3 texel = voxel;
+        bool receives = true;
+        if (kSparse) {
+            uint brick = brickOf(voxel, params.bricks.xy);
+            receives = brick != kNoBrick;
+            texel = texelOf(brick, voxel, params.bricks.z);
+        }
+        if (receives) {
+            // Rounded up as often as the fraction says: nothing is gained or lost on average.
+            load.phase = fract(load.phase + 0.61803399);
+            load.fullest = max(load.fullest, add(texel, 0, share.x * unit + load.phase));
+            if (kColour) {
+                load.fullest = max(load.fullest, add(texel, 1, share.y * unit + load.phase));
+                load.fullest = max(load.fullest, add(texel, 2, share.z * unit + load.phase));
+            }
+            if (kDirection) {
+                float power = unit * (kColour ? dot(share, params.colour.xyz) : share.x);
+                add(texel, CHANNELS + 0, towards.x * power + load.phase);
+                add(texel, CHANNELS + 1, towards.y * power + load.phase);
+                add(texel, CHANNELS + 2, towards.z * power + load.phase);
+            }
+            ++load.deposits;
+        }
         t = leave;
         // Through an edge or a corner all its axes move at once.
         bvec3 moves = lessThanEqual(crossing, vec3(leave));
         crossing.x += moves.x ? slope.x : 0.0;
         crossing.y += moves.y ? slope.y : 0.0;
         crossing.z += moves.z ? slope.z : 0.0;
-        voxel += (moves.x ? jump.x : 0) + (moves.y ? jump.y : 0) + (moves.z ? jump.z : 0);
-        if (kOpaqueVoxels) cell += vec3(moves) * turn;
+        voxel += ivec3(vec3(moves) * turn);
     }
     load.absorbed += sigmaA * spent;
     load.scattered += sigmaS * spent;

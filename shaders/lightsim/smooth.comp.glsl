@@ -6,19 +6,11 @@
 // a neighbour beyond a face goes on from those inside, and where a voxel and its neighbours tell the
 // same exponential the mean of both halves of 1 2 1 is a harmonic one. Either is a mean of the
 // neighbours' values: what has no negative value gets none.
-#include "shared/bindings.h"
-#include "shared/lightsim_params.h"
+#include "lightsim/atlas.glsl"
 
-#if !defined(DIRECTION) || !defined(FLUENCE)
-#error DIRECTION must be 0 or 1, FLUENCE 1 or 3
-#endif
-const bool kDirection = DIRECTION == 1;
-
-layout(local_size_x = 64) in;
-layout(std140, binding = kParamsBlock) uniform Params { ResolveParams params; };
-// Channels of fluence, then the direction's three planes, power times direction.
-layout(std430, binding = kSourcesBuffer) readonly buffer Source { float values[]; } sources[FLUENCE + 3 * DIRECTION];
-layout(std430, binding = kTotalsBuffer) writeonly buffer Target { float values[]; } targets[FLUENCE + 3 * DIRECTION];
+layout(std430, binding = kBrickListBuffer) readonly buffer BrickList { uint list[]; };
+layout(r32f, binding = kTotalsImage) readonly uniform image3D sources;
+layout(r32f, binding = kSmoothedImage) writeonly uniform image3D targets;
 
 // A voxel's value with two before it and two behind it, along the axis.
 struct Row {
@@ -114,27 +106,42 @@ float meanOf(Row row, float share) {
     return (1.0 - share) * (0.5 * (row.here + row.after)) + share * (0.5 * (row.before + row.here));
 }
 
+// The first of a voxel's texels, counted from the first brick's first voxel on; that of `here` where none is.
+ivec3 neighbour(ivec3 voxel, ivec3 here) {
+    uint brick = brickOf(voxel, ivec2(params.bricks.x, params.bricks.x * params.bricks.y));
+    return brick == kNoBrick ? here : texelOf(brick, voxel, params.apart.y);
+}
+
+float valueAt(ivec3 texel, int plane) {
+    return imageLoad(sources, texel + planeAt(plane)).x;
+}
+
 void main() {
-    ivec3 p = ivec3(gl_GlobalInvocationID);
-    if (any(greaterThanEqual(p, params.size.xyz))) return;
-    int axis = params.planes.z;
-    int stride = axis == 0 ? 1 : axis == 1 ? params.size.x : params.size.x * params.size.y;
-    int at = (p.z * params.size.y + p.y) * params.size.x + p.x;
-    int place = p[axis];
+    int slot = slotOf();
+    if (slot >= params.size.w) return;
+    int brick = int(list[slot]);
+    ivec3 inBrick = voxelInBrick();
+    ivec3 p = inBrick + kBrickEdge * ivec3(brick % params.bricks.x,
+                                           brick / params.bricks.x % params.bricks.y,
+                                           brick / (params.bricks.x * params.bricks.y));
+    int axis = params.first.w;
+    int place = p[axis] - params.first[axis];
     int count = params.size[axis];
-    int before = place > 0 ? at - stride : at;
-    int before2 = place > 1 ? before - stride : before;
-    int after = place < count - 1 ? at + stride : at;
-    int after2 = place < count - 2 ? after + stride : after;
+    ivec3 at = texelInAtlas(slot, inBrick, params.apart.y);
+    ivec3 step = ivec3(axis == 0, axis == 1, axis == 2);
+    ivec3 before = place > 0 ? neighbour(p - step, at) : at;
+    ivec3 before2 = place > 1 ? neighbour(p - 2 * step, before) : before;
+    ivec3 after = place < count - 1 ? neighbour(p + step, at) : at;
+    ivec3 after2 = place < count - 2 ? neighbour(p + 2 * step, after) : after;
     Row power = Row(0.0, 0.0, 0.0, 0.0, 0.0);
     float sum = 0.0;
     for (int i = 0; i < FLUENCE; ++i) {
-        Row row = Row(sources[i].values[before2], sources[i].values[before], sources[i].values[at],
-                      sources[i].values[after], sources[i].values[after2]);
+        Row row = Row(valueAt(before2, i), valueAt(before, i), valueAt(at, i), valueAt(after, i),
+                      valueAt(after2, i));
         power = added(power, row);
         row = grown(row, growthOf(row, place, count), place, count);
         float mean = meanOf(row, shareBefore(row));
-        targets[i].values[at] = mean;
+        imageStore(targets, at + planeAt(i), vec4(mean));
         sum += mean;
     }
     if (kDirection) {
@@ -145,10 +152,10 @@ void main() {
         float share = shareBefore(power);
         float mean = meanOf(power, share);
         float scale = mean > 0.0 ? sum / mean : 0.0;
-        for (int i = FLUENCE; i < FLUENCE + 3 * DIRECTION; ++i) {
-            Row row = Row(0.0, sources[i].values[before], sources[i].values[at],
-                          sources[i].values[after], 0.0); // its mean wants no more
-            targets[i].values[at] = scale * meanOf(grown(row, growth, place, count), share);
+        for (int i = FLUENCE; i < kTotals; ++i) {
+            Row row = Row(0.0, valueAt(before, i), valueAt(at, i), valueAt(after, i), 0.0); // it wants no more
+            float smoothed = scale * meanOf(grown(row, growth, place, count), share);
+            imageStore(targets, at + planeAt(i), vec4(smoothed));
         }
     }
 }

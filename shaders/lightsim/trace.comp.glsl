@@ -16,6 +16,7 @@
 const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
 const bool kDense = MEDIUM == 2;    // a voxel may have an optical depth above 0.25
 const bool kColour = CHANNELS == 3; // media or mirrors' tints differ by wavelength
+const bool kDirection = DIRECTION == 1;
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { PhotonParams params; };

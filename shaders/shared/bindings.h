@@ -44,18 +44,15 @@ const int kCountBuffer = 0;    // photons on the next list; not 0 if a sum was n
 const int kPhotonsBuffer = 1;  // one per pixel of the photon map
 const int kListBuffer = 2;     // pixels whose photon goes on
 const int kNextListBuffer = 3; // those of the next launch
-const int kPlanesBuffer = 4;   // fixed-point sums per voxel, up to six buffers
+const int kBricksBuffer = 4;   // where each brick of voxels lies in the atlases of sums
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
-const int kSourcesBuffer = 0;  // smooth.comp: totals before a pass, up to six buffers
-const int kTotalsBuffer = 10;  // resolve.comp, smooth.comp: floats per voxel, up to six buffers
+const int kBrickListBuffer = 0; // resolve.comp, smooth.comp: the bricks that receive
 
-// lightsim, the octree: storage buffers, and an image.
-const int kIndexBuffer = 0;      // per voxel
-const int kPyramidBuffer = 1;    // of ranges
-const int kLevelsBuffer = 2;     // nodes x y z, first node of each level
-const int kExtinctionBuffer = 3; // per voxel [1/voxel]
-const int kLeavesImage = 0;      // of every 2×2×2 voxels
+// lightsim: images, atlases of bricks that receive.
+const int kPlanesImage = 0;  // fixed-point sums, a brick's planes one behind the other along z
+const int kTotalsImage = 1;  // floats, likewise
+const int kSmoothedImage = 2; // smooth.comp: after a pass
 
 // Filters along an axis: storage buffers.
 const int kSourceBuffer = 0;  // floats per voxel

@@ -1,15 +1,6 @@
 // What the photon kernels are told, and photons. Read by C++ and GLSL; vec4-sized members only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-struct OctreeParams {
-    ivec4 size;   // voxels along x, y, z; w: the pyramid's top level
-    ivec4 nodes;  // nodes along x, y, z of the level worked on; w: that level
-    ivec4 source; // nodes along x, y, z of the level read; w: its first node in the pyramid
-    ivec4 target; // x: the first node written, y: source (see pyramid.comp.glsl), z: its nodes an
-                  // edge
-    vec4 limits;  // x: tolerance ε, y: second tolerance ε', z: step limit under ε' [voxel]
-};
-
 struct EmissionParams {
     mat4 clipFromVoxel; // the light's view of one window of its photon map
     vec4 right;         // voxel space; for a point light right, up, forward span its view
@@ -25,7 +16,10 @@ struct EmissionParams {
 };
 
 struct PhotonParams {
-    ivec4 size;   // voxels along x, y, z; w: voxels in all
+    ivec4 size;   // voxels along x, y, z
+    ivec4 first;  // xyz: voxels that the first brick has before them
+    ivec4 bricks; // x, y: how far apart bricks along y, z are in the table; z: how many bricks apart
+                  // those along z are in the atlas; w: how many texels apart its planes are
     uvec4 list;   // x: photons in the list, y: steps of this launch, or work items of
                   // energy.comp, z: step limit of a photon, w: photons in the map
     uvec4 depth;  // x: most interfaces that a photon meets, y: differs by seed and batch
@@ -35,8 +29,11 @@ struct PhotonParams {
 };
 
 struct ResolveParams {
-    ivec4 size;   // voxels along x, y, z; w: voxels in all
-    ivec4 planes; // x: channels traced, y: channels of fluence, z: axis to smooth
+    ivec4 size;   // voxels along x, y, z; w: bricks that receive
+    ivec4 first;  // xyz: as PhotonParams::first; w: axis to smooth
+    ivec4 bricks; // the domain's bricks along x, y, z; w: as PhotonParams::bricks
+    ivec4 atlas;  // the atlases' bricks along x, y, z
+    ivec4 apart;  // x: as PhotonParams::bricks.z; y: the same of the atlas of totals
     vec4 fluence; // per channel: fluence of one unit of fixed point [W/m²]
     vec4 colour;  // as PhotonParams::colour; w: direction, per unit of fixed point [W/m²]
 };

@@ -6,6 +6,12 @@ const float kNearby = 3.5;            // how near a boundary is noted in the tab
 const float kExactClearance = 4.0;    // beyond, clearances are bounds alone [voxel]
 const uint kNearFull = 0xE0000000u; // a fixed-point sum above this may overflow next
 
+// Voxels receive light by bricks of 8³. The table of bricks has x + (y << 10) + (z << 20) by a brick's place
+// in the atlas of sums, or kNoBrick.
+const int kBrickBits = 3;
+const int kBrickEdge = 1 << kBrickBits;
+const uint kNoBrick = 0xFFFFFFFFu;
+
 // A block of cells has 8³ of them: 8 texels along x, or 3 that are packed, and 11 along y and z of the atlas
 // of distances. The table of blocks has x + (y << 10) + (z << 20) by a block's place in the atlas, or
 // kFarBlock where no boundary is near, or one more inside the object.

@@ -174,8 +174,9 @@ Lit light(Bench& bench, const volume::Volume& volume, const lightsim::Params& pa
     Stats stats;
     const lightsim::Result result = lightsim::simulate(bench.device, lightsim::makePlan(volume, params), params, stats, {});
     Lit lit;
-    for (size_t i = 0; i < result.fluence.values.size(); i += 3)
-        lit.fluence.push_back(result.fluence.values[i]);
+    forEachVoxel(volume.domain().size(), [&](const glm::ivec3& p) {
+        lit.fluence.push_back(result.fluence.at(p));
+    });
     for (const PassTime& pass : stats.passes)
         for (const char* name : {"photon birth", "photons", "resolve", "smooth"})
             if (pass.name == name) lit.ms += pass.gpuMs;

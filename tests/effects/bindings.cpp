@@ -9,11 +9,12 @@ namespace {
 #include "shared/bindings.h"
 
 Bindings of(const std::vector<int>& blocks, const std::vector<int>& buffers,
-            const std::vector<int>& textures) {
+            const std::vector<int>& textures, const std::vector<int>& images = {}) {
     Bindings bindings;
     for (const int number : blocks) bindings.insert({Binding::Kind::block, number});
     for (const int number : buffers) bindings.insert({Binding::Kind::buffer, number});
     for (const int number : textures) bindings.insert({Binding::Kind::texture, number});
+    for (const int number : images) bindings.insert({Binding::Kind::image, number});
     return bindings;
 }
 
@@ -44,24 +45,24 @@ std::vector<Owned> sharpViewBindings() {
 }
 
 const std::vector<int> kPhotonBuffers{kCountBuffer, kPhotonsBuffer, kListBuffer, kNextListBuffer,
-                                      kPlanesBuffer};
+                                      kBricksBuffer};
 
 std::vector<Owned> photonBindings() {
-    return {{"", of({kParamsBlock, kTransportBlock, kFieldBlock}, kPhotonBuffers, {})},
-            {"refraction", of({}, {}, {kFieldUnit, kLeavesUnit})},
-            {"medium", of({}, {}, {kAbsorptionUnit, kLeavesUnit})},
-            // Sums of green and blue, or of the direction's components, are buffers of their own.
-            {"colour", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2}, {kScatteringUnit})},
-            {"direction", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2, kPlanesBuffer + 3}, {})},
-            {"opaque surface", of({}, {}, {kOpaqueUnit})}};
+    return {
+        {"", of({kParamsBlock, kTransportBlock, kFieldBlock}, kPhotonBuffers, {}, {kPlanesImage})},
+        {"refraction", of({}, {}, {kFieldUnit, kLeavesUnit})},
+        {"medium", of({}, {}, {kAbsorptionUnit, kLeavesUnit})},
+        {"colour", of({}, {}, {kScatteringUnit})},
+        {"direction", {}},
+        {"opaque surface", of({}, {}, {kOpaqueUnit})}};
 }
 
 std::vector<Owned> sharpPhotonBindings() {
     return {{"", of({kParamsBlock, kTransportBlock, kSceneBlock}, kPhotonBuffers,
-                    {kDistancesUnit, kClearanceUnit, kBlocksUnit})},
+                    {kDistancesUnit, kClearanceUnit, kBlocksUnit}, {kPlanesImage})},
             {"index that varies", of({kFieldBlock}, {}, {kLeavesUnit, kFieldUnit})},
-            {"colour", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2}, {})},
-            {"direction", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2, kPlanesBuffer + 3}, {})},
+            {"colour", {}},
+            {"direction", {}},
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
             {"several objects", of({}, {}, {kNearbyUnit})}};
 }

@@ -26,7 +26,8 @@ TestVolume glassBall(int size) {
 /// Mean absolute difference of fluence between two runs of one volume.
 double difference(const Lit& a, const Lit& b) {
     double sum = 0;
-    forEachVoxel(a.plan.scene.size(), [&](ivec3 p) { sum += std::abs(a.fluence(p) - b.fluence(p)); });
+    forEachVoxel(a.plan.scene.size(),
+                 [&](ivec3 p) { sum += std::abs(a.fluence(p) - b.fluence(p)); });
     return sum / static_cast<double>(a.plan.voxels());
 }
 
@@ -202,7 +203,7 @@ TEST(LightRun, TheOctreeIsCoarseWhereNothingHappens) {
     const Params params = paramsOf({beam({0, -1, 0})});
     TestVolume even(ivec3(16));
     even.constant("ior", 1.3);
-    const OctreeDump one = dumpOctree(device(), makePlan(even.volume(), params), params);
+    const OctreeDump one = dumpOctree(makePlan(even.volume(), params), params);
     const auto& level = one.level.values;
     EXPECT_EQ(std::set<float>(level.begin(), level.end()).size(), 1u);
     EXPECT_GE(level[0], 4); // 2^4 voxels and more
@@ -211,7 +212,7 @@ TEST(LightRun, TheOctreeIsCoarseWhereNothingHappens) {
     // An edge at x = 20 blurred over some voxels each way.
     TestVolume edge(ivec3(64, 16, 16));
     edge.index([](dvec3 p) { return 1.25 + 0.25 * std::erf((p.x - 20) / 2); });
-    const OctreeDump many = dumpOctree(device(), makePlan(edge.volume(), params), params);
+    const OctreeDump many = dumpOctree(makePlan(edge.volume(), params), params);
     forEachVoxel({64, 16, 16}, [&](ivec3 p) {
         const double found = at(many.level, p);
         if (p.x >= 17 && p.x < 23) {

@@ -1,5 +1,6 @@
 // The shaders' pure functions, in double, against cases solved on paper.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/octree.h"
 #include "support/shader_lib.h"
 
 #include <array>
@@ -144,15 +145,16 @@ TEST(LatLong, CardinalDirections) {
     EXPECT_EQ(latLongOf({0, 1.0000001, 0}).y, 0); // rounded past a unit vector, still on the map
 }
 
-TEST(Octree, LeavesPackAndUnpack) {
-    for (const uint level : {0u, 1u, 9u, 31u})
-        for (const double limit : {0.0, 0.0625, 1.0, 7.9375, 8.0, 1.0e6}) {
+TEST(Octree, LeavesAreReadAsTheyWerePacked) {
+    using eikonal::lightsim::packLeaf;
+    for (const int level : {0, 1, 9, 31})
+        for (const float limit : {0.0f, 0.0625f, 1.0f, 7.9375f, 8.0f, 1.0e6f}) {
             const uint leaf = packLeaf(level, limit);
-            EXPECT_EQ(leafLevel(leaf), level);
-            EXPECT_EQ(leafLimit(leaf), limit);
+            EXPECT_EQ(leafLevel(leaf), static_cast<uint>(level));
+            EXPECT_EQ(leafLimit(leaf), static_cast<double>(limit));
         }
-    EXPECT_EQ(leafLimit(packLeaf(3, 0.99)), 0.9375); // cut to sixteenths, never longer
-    EXPECT_EQ(leafLimit(packLeaf(3, 1e9)), 1e6);
+    EXPECT_EQ(leafLimit(packLeaf(3, 0.99f)), 0.9375); // cut to sixteenths, never longer
+    EXPECT_EQ(leafLimit(packLeaf(3, 1e9f)), 1e6);
     EXPECT_EQ(leafLimit(packLeaf(3, -1)), 0);
 }
 
@@ -247,7 +249,8 @@ TEST(Fresnel, SnellsLawAndItsWayBack) {
         for (const double n2 : {1.0, 1.34, 2.42})
             for (double angle = 0.05; angle < 1.57; angle += 0.1) {
                 const vec3 w = n1 * vec3(std::sin(angle), -std::cos(angle), 0);
-                const Dielectric made = dielectricAt(w, {0, -1, 0}, n1, n2); // the normal on the far side
+                const Dielectric made =
+                    dielectricAt(w, {0, -1, 0}, n1, n2); // the normal on the far side
                 const double sine = n1 * std::sin(angle) / n2;
                 if (sine > 1) {
                     EXPECT_EQ(made.reflectance, 1);

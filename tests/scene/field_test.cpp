@@ -3,6 +3,7 @@
 #include "gpu/program.h"
 #include "scene/field.h"
 #include "support/test_volume.h"
+#include "volume/make_bricks.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -41,7 +42,11 @@ std::vector<Found> probe(const volume::DenseGrid& grid, const FieldOptions& opti
         in.emplace_back(p, 0);
         in.emplace_back(w, 0);
     }
-    const Field field(device(), grid, options);
+    const volume::BrickGrid index = volume::makeBricks(
+        grid.size, ivec3(0), 1, [](size_t) { return false; },
+        [&](const ivec3& p, float* out) { *out = static_cast<float>(at(grid, p)); });
+    const Field field(device(), index, *std::min_element(grid.values.begin(), grid.values.end()),
+                      options);
     const gpu::Program program(device(), "transport/probe.comp.glsl",
                                {{"FIELD", fieldSwitch(true, options.interpolation)}});
     const glm::uvec4 values(points.size(), 0, 0, 0);

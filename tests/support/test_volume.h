@@ -82,6 +82,10 @@ inline double at(const volume::DenseGrid& grid, const glm::ivec3& p, int compone
     return grid.values[voxel * static_cast<size_t>(grid.components) + component];
 }
 
+inline double at(const volume::BrickGrid& grid, const glm::ivec3& p, int component = 0) {
+    return static_cast<double>(grid.at(p, component));
+}
+
 /// Calls `visit` with every voxel of a box of that size.
 template<typename Visit> void forEachVoxel(const glm::ivec3& size, const Visit& visit) {
     for (int z = 0; z < size.z; ++z)

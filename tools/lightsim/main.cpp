@@ -120,7 +120,7 @@ lightsim::Triangles readProxy(const std::string& path, const lightsim::Params& p
 
 void writeOctree(tool::Session& session, const Options& o, const volume::Volume& in,
                  const lightsim::Plan& plan) {
-    const lightsim::OctreeDump dump = lightsim::dumpOctree(session.device(), plan, o.params);
+    const lightsim::OctreeDump dump = lightsim::dumpOctree(plan, o.params);
     volume::Volume out(in.frame());
     volume::PutOptions options;
     options.allActive = true;

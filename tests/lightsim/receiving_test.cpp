@@ -1,0 +1,96 @@
+// Which voxels receive light.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/lit.h"
+
+using namespace eikonal;
+using namespace eikonal::lightsim;
+using glm::dvec3;
+using glm::ivec3;
+
+namespace {
+
+const ivec3 kSize(72, 24, 24);
+const dvec3 kMiddle(12.5, 12, 11.5);
+constexpr double kRadius = 5;
+
+double distanceAt(const dvec3& p) {
+    return glm::length(p - kMiddle) - kRadius;
+}
+
+/// A ball that is lit, blurred or sharp, with that value of a grid within.
+volume::Volume ballWith(const std::string& grid, double value, bool sharp) {
+    TestVolume made(kSize);
+    made.constant("ior", 1);
+    if (sharp) made.add("sdf", distanceAt, 1e3);
+    made.add(grid, [=](dvec3 p) { return sharp || distanceAt(p) < 0 ? value : 0; });
+    return made.take();
+}
+
+Lit lit(const volume::Volume& volume, bool automatic) {
+    Params params = paramsOf({beam({0.3, -1, 0.2}, dvec3(1, 2, 3))}, 1 << 15);
+    params.smoothing = 2;
+    params.automaticOutputs = automatic;
+    if (!automatic)
+        params.outputs = makePlan(volume,
+                                  [&] {
+                                      Params same = params;
+                                      same.automaticOutputs = true;
+                                      return same;
+                                  }())
+                             .outputs;
+    return Lit(volume, params);
+}
+
+} // namespace
+
+TEST(LightReceiving, WhatPicturesLookUpIsTheSameAsIfAllVoxelsReceived) {
+    for (const bool sharp : {false, true})
+        for (const auto& [grid, value] :
+             {std::pair("scattering", 0.05), std::pair("opacity", 1.0)}) {
+            SCOPED_TRACE(std::string(grid) + (sharp ? " sharp" : ""));
+            const volume::Volume volume = ballWith(grid, value, sharp);
+            const Lit some = lit(volume, true), all = lit(volume, false);
+            EXPECT_LT(some.plan.receiving.list.size(), all.plan.receiving.list.size());
+            double most = 0;
+            forEachVoxel(kSize, [&](ivec3 p) { most = std::max(most, all.fluence(p)); });
+            forEachVoxel(kSize, [&](ivec3 p) {
+                // Light is looked up 1.5 voxels before a surface, and between voxels.
+                if (distanceAt(dvec3(p) + 0.5) > 3) return;
+                // Fixed-point sums round by chance, each a little differently.
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(some.fluence(p, c), all.fluence(p, c), 1e-4 * most);
+                if (all.plan.wants(Output::direction) && all.fluence(p) > 0.1 * most) {
+                    ASSERT_LT(glm::length(some.direction(p) - all.direction(p)), 2e-3);
+                }
+            });
+            // Far off it is as dark as if nothing were there; light passes all the same.
+            EXPECT_EQ(some.fluence({60, 12, 12}), 0);
+            EXPECT_GT(all.fluence({60, 12, 12}), 0);
+        }
+}
+
+TEST(LightReceiving, WhatSurroundsObjectsReceivesWhereItScatters) {
+    TestVolume made(kSize);
+    made.add("sdf", distanceAt, 1e3);
+    made.constant("ior", 1);
+    made.constant("scattering.medium", 0.02);
+    const volume::Volume volume = made.take();
+    const Lit some = lit(volume, true);
+    EXPECT_EQ(some.plan.receiving.list.size(), some.plan.receiving.bricks.x *
+                                                   some.plan.receiving.bricks.y *
+                                                   some.plan.receiving.bricks.z);
+    EXPECT_GT(some.fluence({60, 12, 12}), 0);
+}
+
+TEST(LightReceivingLong, MoreVoxelsThanAStorageBufferHolds) {
+    // 4 bytes of each are 140 MiB; software devices allow 128 MiB in a buffer.
+    const ivec3 size(332);
+    TestVolume made(size);
+    made.constant("ior", 1);
+    Params params = paramsOf({beam({0, -1, 0})}, 1 << 12);
+    params.outputs = Output::fluence;
+    const Lit found(made.take(), params);
+    // A beam of 1 W/m² has that fluence.
+    const double voxels = static_cast<double>(found.plan.voxels());
+    EXPECT_NEAR(found.total() / voxels, 1, 1e-3);
+}
