@@ -4,7 +4,7 @@
 
 #include "lightsim/shared.h"
 #include "scene/lattice.h"
-#include "scene/padded.h"
+#include "scene/voxel_textures.h"
 
 #include <tbb/parallel_for.h>
 
@@ -16,26 +16,26 @@ gpu::Texture makeAbsorption(gpu::Device& device, const Plan& plan) {
     const scene::Region& medium = plan.scene.medium();
     const auto h = static_cast<float>(plan.scene.voxelSize()); // 1/unit to 1/voxel
     if (!plan.colour)
-        return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rg32f, true,
-                                 [&](const glm::ivec3& i, float* out) {
-                                     out[0] = medium.absorption.at(i, 0) * h;
-                                     out[1] = medium.scattering.at(i, 0) * h;
-                                 });
-    return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rgba32f, true,
-                             [&](const glm::ivec3& i, float* out) {
-                                 for (int c = 0; c < 3; ++c)
-                                     out[c] = medium.absorption.at(i, c) * h;
-                             });
+        return scene::makeVoxelTexture(device, plan.scene.layout, gpu::TexelFormat::rg32f, true,
+                                       [&](const glm::ivec3& i, float* out) {
+                                           out[0] = medium.absorption.at(i, 0) * h;
+                                           out[1] = medium.scattering.at(i, 0) * h;
+                                       });
+    return scene::makeVoxelTexture(device, plan.scene.layout, gpu::TexelFormat::rgba32f, true,
+                                   [&](const glm::ivec3& i, float* out) {
+                                       for (int c = 0; c < 3; ++c)
+                                           out[c] = medium.absorption.at(i, c) * h;
+                                   });
 }
 
 gpu::Texture makeScattering(gpu::Device& device, const Plan& plan) {
     const scene::Region& medium = plan.scene.medium();
     const auto h = static_cast<float>(plan.scene.voxelSize());
-    return scene::makePadded(device, plan.scene.size(), gpu::TexelFormat::rgba32f, true,
-                             [&](const glm::ivec3& i, float* out) {
-                                 for (int c = 0; c < 3; ++c)
-                                     out[c] = medium.scattering.at(i, c) * h;
-                             });
+    return scene::makeVoxelTexture(device, plan.scene.layout, gpu::TexelFormat::rgba32f, true,
+                                   [&](const glm::ivec3& i, float* out) {
+                                       for (int c = 0; c < 3; ++c)
+                                           out[c] = medium.scattering.at(i, c) * h;
+                                   });
 }
 
 gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {

@@ -7,6 +7,7 @@
 #include "lightsim/voxels.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
+#include "scene/voxel_textures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +127,8 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     for (const gpu::Need& need : voxelNeeds(plan, params)) needs.push_back(need);
     if (plan.usesOctree()) needs.push_back({"the octree", voxels / 2, false, (edge + 1) / 2});
     if (plan.attenuates && !plan.scene.sharp)
-        needs.push_back({"the coefficients", voxels * (plan.colour ? 32 : 8), false, edge + 2});
+        needs.push_back(
+            scene::voxelNeed(plan.scene.layout, "the coefficients", plan.colour ? 32 : 8));
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
     needs.push_back({"the photons", pixels * kBytesPerPhoton, true, 0});
     return needs;

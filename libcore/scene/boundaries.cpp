@@ -4,12 +4,11 @@
 
 #include "scene/clearance.h"
 #include "scene/lattice.h"
-#include "scene/padded.h"
 #include "scene/shared.h"
+#include "scene/voxel_textures.h"
 
 #include <algorithm>
 #include <glm/vec4.hpp>
-#include <tbb/parallel_for.h>
 
 namespace eikonal::scene {
 
@@ -18,27 +17,21 @@ namespace {
 using glm::ivec3;
 using glm::vec3;
 
-/// Padded pages, one behind the other along z, of the regions whose coefficients vary:
+/// Pages of voxels, one behind the other along z, of the regions whose coefficients vary:
 /// `pack(region, voxel, out)` fills a texel.
-template<typename Pack>
+template<typename PackOf>
 gpu::Texture makePages(gpu::Device& device, const Scene& scene, bool floorAtZero,
-                       const Pack& pack) {
-    const ivec3 outer = scene.size() + 2;
-    gpu::Texture texture(device, {outer.x, outer.y, outer.z * scene.varyingRegions()},
-                         gpu::TexelFormat::rgba32f, gpu::Filter::linear);
+                       const PackOf& pack) {
+    const ivec3 page = scene.layout.texels();
+    const gpu::TexelFormat format = gpu::TexelFormat::rgba32f;
+    gpu::Texture texture(device, {page.x, page.y, page.z * scene.varyingRegions()}, format,
+                         gpu::Filter::linear);
     int slice = 0;
     for (const Region& region : scene.regions) {
         if (!region.coefficientsVary()) continue;
-        std::vector<float> padded(4 * placeOf(outer, 0, 0, outer.z));
-        tbb::parallel_for(0, scene.size().z, [&](int z) {
-            for (int y = 0; y < scene.size().y; ++y)
-                for (int x = 0; x < scene.size().x; ++x)
-                    pack(region, ivec3(x, y, z),
-                         padded.data() + 4 * placeOf(outer, x + 1, y + 1, z + 1));
-        });
-        extendPadding(padded, scene.size(), 4, floorAtZero);
-        texture.uploadSlices(slice, outer.z, padded.data());
-        slice += outer.z;
+        fillVoxels(texture, slice, scene.layout, format, floorAtZero,
+                   [&](const ivec3& voxel, float* out) { pack(region, voxel, out); });
+        slice += page.z;
     }
     return texture;
 }
@@ -60,7 +53,7 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
     values.low = vec4(vec3(bounds.min) - 0.6f, 0);
     values.high = vec4(vec3(bounds.max) + 0.6f, 0);
     const auto h = static_cast<float>(scene.voxelSize());
-    const ivec3 page = scene.size() + 2;
+    const ivec3 page = scene.layout.texels();
     int pages = 0;
     values.page =
         vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.varyingRegions(), 1)), 0);
@@ -105,7 +98,7 @@ void Boundaries::bind() const {
 }
 
 std::vector<gpu::Need> boundaryNeeds(const Scene& scene) {
-    const ivec3 page = scene.size() + 2;
+    const ivec3 page = scene.layout.texels();
     const std::int64_t pages = scene.varyingRegions();
     const int edge = tableEdge(scene.size());
     const ivec3 cubes = (scene.size() + edge - 1) / edge;

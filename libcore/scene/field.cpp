@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/field.h"
 
+#include "scene/lattice.h"
 #include "scene/samples.h"
 #include "scene/shared.h"
+#include "scene/voxel_textures.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 namespace eikonal::scene {
@@ -16,18 +19,39 @@ namespace {
 using glm::ivec3;
 using glm::vec3;
 
-size_t placeOf(const Potential& potential, int x, int y, int z) {
-    const ivec3 outer = potential.outer();
-    return (static_cast<size_t>(z + kMargin) * outer.y + (y + kMargin)) * outer.x + (x + kMargin);
+/// By blocks; one that is even has the same sample everywhere.
+void fillPaged(gpu::Texture& field, const VoxelLayout& layout, const Potential& own,
+               const Potential& stepped, bool unbiased) {
+    const auto write = [&](size_t place, float* texels, const ivec3& slab) {
+        const ivec3 low = layout.firstSample(layout.list[place]);
+        const ivec3 size =
+            layout.even[place] ? ivec3(1) : glm::min(ivec3(kVoxelSamples), layout.size + 2 - low);
+        const std::vector<vec4> samples = gradientSamples(own, stepped, unbiased, low, size);
+        for (int z = 0; z < kVoxelSamples; ++z)
+            for (int y = 0; y < kVoxelSamples; ++y)
+                for (int x = 0; x < kVoxelSamples; ++x) {
+                    const ivec3 p = glm::min(ivec3(x, y, z), size - 1);
+                    const vec4& sample = samples[placeOf(size, p.x, p.y, p.z)];
+                    std::copy_n(&sample.x, 4, texels + 4 * placeOf(slab, x, y, z));
+                }
+    };
+    fillBlocks(field, 0, layout, gpu::TexelFormat::rgba32f, write);
 }
 
 gpu::Texture makeLinear(gpu::Device& device, const Potential& own, const Potential& stepped,
-                        bool unbiased) {
-    gpu::Texture field(device, own.size + 2, gpu::TexelFormat::rgba32f, gpu::Filter::linear);
+                        bool unbiased, const VoxelLayout& layout) {
+    gpu::Texture field(device, layout.texels(), gpu::TexelFormat::rgba32f, gpu::Filter::linear);
+    if (layout.paged) {
+        fillPaged(field, layout, own, stepped, unbiased);
+        return field;
+    }
     const int slab = 16; // slices at a time, so that the host never holds the whole
     for (int z = 0; z < field.size().z; z += slab) {
         const int count = std::min(slab, field.size().z - z);
-        field.uploadSlices(z, count, gradientSamples(own, stepped, unbiased, z, count).data());
+        field.uploadSlices(z, count,
+                           gradientSamples(own, stepped, unbiased, {0, 0, z},
+                                           {field.size().x, field.size().y, count})
+                               .data());
     }
     return field;
 }
@@ -40,7 +64,8 @@ gpu::Texture makeCubic(gpu::Device& device, const Potential& spline) {
     for (int z = 0; z < size.z; ++z) {
         float* out = slice.data();
         for (int y = 0; y < size.y; ++y) {
-            const float* row = spline.values.data() + placeOf(spline, -2, y - 2, z - 2);
+            const float* row = spline.values.data() + placeOf(spline.outer(), kMargin - 2,
+                                                              y + kMargin - 2, z + kMargin - 2);
             for (int x = 0; x < size.x; ++x, ++row, out += 4) std::copy(row, row + 4, out);
         }
         field.uploadSlices(z, 1, slice.data());
@@ -61,16 +86,16 @@ Field::Field(gpu::Device& device, float constant) {
 }
 
 Field::Field(gpu::Device& device, const volume::BrickGrid& index, float least,
-             const FieldOptions& options) {
+             const VoxelLayout& layout, const FieldOptions& options) {
     FieldParams values{};
     const bool linear = options.interpolation == Interpolation::linear;
-    values.scale = vec4(1.0f / vec3(index.size + (linear ? ivec3(2) : ivec3(1, 4, 4))), 0);
+    values.scale = vec4(1.0f / vec3(linear ? layout.texels() : index.size + ivec3(1, 4, 4)), 0);
     values.high = vec4(vec3(index.size - 1), options.unbiased ? 1 : 0);
     const Potential own = makePotential(index);
     Potential stepped = own;
     if (options.verletTau > 0) correctForVerlet(stepped, options.verletTau);
     if (linear) {
-        mTexture = makeLinear(device, own, stepped, options.unbiased);
+        mTexture = makeLinear(device, own, stepped, options.unbiased, layout);
     } else {
         makeSpline(stepped);
         mTexture = makeCubic(device, stepped);
@@ -86,13 +111,11 @@ void Field::bind() const {
     if (mTexture.name() != 0) mTexture.bindSampler(kFieldUnit);
 }
 
-gpu::Need fieldNeed(ivec3 size, Interpolation interpolation) {
-    const bool linear = interpolation == Interpolation::linear;
-    const auto voxels = [&](int more) {
-        return std::int64_t{size.x + more} * (size.y + more) * (size.z + more);
-    };
-    return {"the index field", voxels(linear ? 2 : 4) * 16, false,
-            std::max({size.x, size.y, size.z}) + (linear ? 2 : 4)};
+gpu::Need fieldNeed(const VoxelLayout& layout, Interpolation interpolation) {
+    if (interpolation == Interpolation::linear) return voxelNeed(layout, "the index field", 16);
+    const ivec3 texels = layout.size + ivec3(1, 4, 4);
+    return {"the index field", std::int64_t{texels.x} * texels.y * texels.z * 16, false,
+            std::max({texels.x, texels.y, texels.z})};
 }
 
 } // namespace eikonal::scene

@@ -4,6 +4,7 @@
 
 #include "gpu/resources.h"
 #include "optics/tracing.h"
+#include "scene/voxel_layout.h"
 #include "volume/volume.h"
 
 namespace eikonal::scene {
@@ -31,7 +32,7 @@ public:
     /// `index` has one value per voxel, `least` or above. Throws MemoryError if the device can't
     /// hold it.
     Field(gpu::Device& device, const volume::BrickGrid& index, float least,
-          const FieldOptions& options);
+          const VoxelLayout& layout, const FieldOptions& options);
 
     /// At the unit and binding that shaders/transport/index_field.glsl names.
     void bind() const;
@@ -43,6 +44,6 @@ private:
 };
 
 /// What a field takes on the device.
-gpu::Need fieldNeed(glm::ivec3 size, Interpolation interpolation);
+gpu::Need fieldNeed(const VoxelLayout& layout, Interpolation interpolation);
 
 } // namespace eikonal::scene

@@ -30,8 +30,8 @@ public:
 
     bool isEven(size_t brick) const {
         return std::all_of(mObjects.begin(), mObjects.end(), [&](size_t k) {
-            return mScene.regions[k].index.isEven(brick) &&
-                   mScene.objects[k].distance.page[brick] < 0;
+            const bool near = mObjects.size() > 1 && mScene.objects[k].distance.page[brick] >= 0;
+            return !near && mScene.regions[k].index.isEven(brick);
         });
     }
 

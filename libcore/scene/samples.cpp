@@ -3,6 +3,7 @@
 #include "scene/samples.h"
 
 #include "scene/bias.h"
+#include "scene/lattice.h"
 
 #include <algorithm>
 #include <array>
@@ -131,33 +132,31 @@ void correctForVerlet(Potential& potential, double tau) {
 }
 
 std::vector<glm::vec4> gradientSamples(const Potential& own, const Potential& stepped,
-                                       bool unbiased, int first, int count) {
-    const ivec3 outer = own.outer(), padded = own.size + 2;
+                                       bool unbiased, const ivec3& low, const ivec3& size) {
+    const ivec3 outer = own.outer();
     const std::ptrdiff_t strides[] = {1, outer.x, std::ptrdiff_t{outer.x} * outer.y};
-    std::vector<glm::vec4> samples(static_cast<size_t>(padded.x) * padded.y * count);
+    std::vector<glm::vec4> samples(placeOf(size, 0, 0, size.z));
     const double square = own.squareAtZero; // in double, so that n comes back to its last digit
     const auto indexOf = [=](float potential) {
         return static_cast<float>(std::sqrt(square + 2 * static_cast<double>(potential)));
     };
     Bias bias;
-    if (unbiased)
-        bias = biasOf(stepped, ivec3(-2, -2, first - 2), ivec3(padded.x, padded.y, count) + 2);
+    if (unbiased) bias = biasOf(stepped, low - 2, size + 2);
     const std::ptrdiff_t steps[] = {1, bias.size.x, std::ptrdiff_t{bias.size.x} * bias.size.y};
-    forEachSlice(count, [&](int z) {
-        for (int y = 0; y < padded.y; ++y) {
-            const std::ptrdiff_t row = (first + z + kMargin - 1) * strides[2] +
-                                       (y + kMargin - 1) * strides[1] + kMargin - 1;
-            glm::vec4* out = samples.data() + (static_cast<size_t>(z) * padded.y + y) * padded.x;
-            for (int x = 0; x < padded.x; ++x) {
+    forEachSlice(size.z, [&](int z) {
+        for (int y = 0; y < size.y; ++y) {
+            const ivec3 first = low + ivec3(0, y, z) + kMargin - 1;
+            const std::ptrdiff_t row = first.z * strides[2] + first.y * strides[1] + first.x;
+            glm::vec4* out = samples.data() + placeOf(size, 0, y, z);
+            for (int x = 0; x < size.x; ++x) {
                 const float* p = stepped.values.data() + row + x;
                 for (int axis = 0; axis < 3; ++axis)
                     out[x][axis] = 0.5f * (p[strides[axis]] - p[-strides[axis]]);
                 out[x].w = indexOf(own.values[static_cast<size_t>(row + x)]);
             }
             if (!unbiased) continue;
-            for (int x = 0; x < padded.x; ++x) {
-                const glm::vec3* off =
-                    bias.values.data() + bias.at(ivec3(x - 1, y - 1, first + z - 1));
+            for (int x = 0; x < size.x; ++x) {
+                const glm::vec3* off = bias.values.data() + bias.at(low + ivec3(x, y, z) - 1);
                 for (int axis = 0; axis < 3; ++axis)
                     out[x][axis] -= 0.5f * (off[steps[axis]][axis] - off[-steps[axis]][axis]);
                 const float* p = own.values.data() + row + x;

@@ -32,15 +32,16 @@ Potential makePotential(const volume::BrickGrid& index);
 /// Adds τ²/24 |∇U|², limited where U bends so much that steps of τ can't follow.
 void correctForVerlet(Potential& potential, double tau);
 
-/// (½∇(n²), n) per voxel, x fastest, padded by one voxel, for linear look-ups: `count` of its
-/// slices along z from `first` on. `own` is the potential of n, `stepped` the one that steps are
-/// made in. Plain samples are central differences, as the sources take them. Linear interpolation
-/// of those is off by 1/12 of the second differences along each axis on average over a cell, and
-/// central differences by 1/6 of the third. Unbiased samples have both taken off beforehand where
-/// the field is smooth (see biasOf()), which costs nothing on the way: what is left changes its
-/// sign within a voxel.
+/// (½∇(n²), n) per voxel, x fastest, padded by one voxel, for linear look-ups: a box of `size` of
+/// them from `low` on, counted from the padding's first. `own` is the potential of n, `stepped` the
+/// one that steps are made in. Plain samples are central differences, as the sources take them.
+/// Linear interpolation of those is off by 1/12 of the second differences along each axis on
+/// average over a cell, and central differences by 1/6 of the third. Unbiased samples have both
+/// taken off beforehand where the field is smooth (see biasOf()), which costs nothing on the way:
+/// what is left changes its sign within a voxel.
 std::vector<glm::vec4> gradientSamples(const Potential& own, const Potential& stepped,
-                                       bool unbiased, int first, int count);
+                                       bool unbiased, const glm::ivec3& low,
+                                       const glm::ivec3& size);
 
 /// Replaces samples by the coefficients of the cubic B-spline through them; the outermost layer of
 /// the margin is used up.

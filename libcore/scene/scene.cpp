@@ -148,7 +148,9 @@ int Scene::varyingRegions() const {
     }));
 }
 
-Scene read(const Files& files, const Wanted& wanted) {
+namespace {
+
+Scene readGrids(const Files& files, const Wanted& wanted) {
     Scene scene;
     scene.path = files.path();
     scene.frame = files.frame();
@@ -189,6 +191,14 @@ Scene read(const Files& files, const Wanted& wanted) {
     scene.light.fluence = readFluence(files);
     if (!scene.light.fluence.isZero() && (scene.anyHas(&Region::anisotropy) || scene.anyOpaque()))
         scene.light.direction = readDirection(files);
+    return scene;
+}
+
+} // namespace
+
+Scene read(const Files& files, const Wanted& wanted) {
+    Scene scene = readGrids(files, wanted);
+    scene.layout = layoutOf(scene);
     return scene;
 }
 

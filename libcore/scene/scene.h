@@ -6,6 +6,7 @@
 #include "scene/files.h"
 #include "scene/objects.h"
 #include "scene/regions.h"
+#include "scene/voxel_layout.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -46,6 +47,7 @@ struct Scene {
     std::vector<Region> regions; ///< of each object, then of what surrounds them
     Index index;
     Light light;
+    VoxelLayout layout; ///< of textures of its grids
 
     glm::ivec3 size() const { return domain.size(); }
     std::int64_t voxels() const { return domain.voxels(); }

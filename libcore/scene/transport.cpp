@@ -3,6 +3,7 @@
 #include "scene/transport.h"
 
 #include "scene/shared.h"
+#include "scene/voxel_textures.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -22,6 +23,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
     const bool bends = scene.index.varies();
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
+            {"PAGED", scene.layout.paged},
             {"OBJECTS", static_cast<int>(scene.objects.size())},
             {"PACKED", scene.sharp && isPacked(scene.objects)},
             {"VARIES", scene.sharp && scene.varyingRegions() > 0},
@@ -30,7 +32,8 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {
     std::vector<gpu::Need> needs;
-    if (scene.index.varies()) needs.push_back(fieldNeed(scene.size(), tracing.sampling()));
+    if (scene.index.varies()) needs.push_back(fieldNeed(scene.layout, tracing.sampling()));
+    needs.push_back(tableNeed(scene.layout));
     if (scene.sharp)
         for (const gpu::Need& need : boundaryNeeds(scene)) needs.push_back(need);
     return needs;
@@ -41,14 +44,15 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
     : mSharp(scene.sharp) {
     const bool fitted =
         steps.equal && tracing.integrator == optics::Integrator::verlet && tracing.unbiased();
-    mField = scene.index.varies() ? Field(device, scene.index.grid, scene.index.least,
+    mField = scene.index.varies() ? Field(device, scene.index.grid, scene.index.least, scene.layout,
                                           {tracing.sampling(), tracing.unbiased(),
                                            fitted ? tauOf(scene, steps.longest) : 0})
                                   : Field(device, scene.index.least);
     if (scene.sharp) mBoundaries = Boundaries(device, scene);
+    if (scene.layout.paged) mVoxelTable = makeVoxelTable(device, scene.layout);
     TransportParams values{};
     values.halfSize = vec4(0.5f * glm::vec3(scene.size()), 0);
-    values.scale = vec4(1.0f / glm::vec3(scene.size() + 2), 0);
+    values.scale = vec4(1.0f / glm::vec3(scene.layout.texels()), 0);
     values.steps = vec4(tauOf(scene, steps.longest), tauOf(scene, steps.shortest),
                         tauOf(scene, steps.first), steps.longest);
     values.tolerance = vec4(tracing.tolerance, glm::length(glm::dvec3(scene.size())), 0, 0);
@@ -58,6 +62,7 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
 void Transport::bind() const {
     mParams.bindUniform(kTransportBlock);
     mField.bind();
+    if (mVoxelTable.name() != 0) mVoxelTable.bindSampler(kVoxelBlocksUnit);
     if (mSharp) mBoundaries.bind();
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view/rays.h"
 
-#include "scene/padded.h"
+#include "scene/voxel_textures.h"
 #include "view/background.h"
 #include "view/picture.h"
 
@@ -54,7 +54,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
 template<typename Pack>
 Texture padded(gpu::Device& device, const Plan& plan, TexelFormat format, bool floorAtZero,
                const Pack& pack) {
-    return scene::makePadded(device, plan.scene.size(), format, floorAtZero, pack);
+    return scene::makeVoxelTexture(device, plan.scene.layout, format, floorAtZero, pack);
 }
 
 /// Per voxel the three components of some values, times a factor.
@@ -152,13 +152,10 @@ void Media::bind() const {
 }
 
 std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
-    const glm::ivec3 outer = plan.scene.size() + 2;
-    const std::int64_t texels = std::int64_t{outer.x} * outer.y * outer.z;
-    const int edge = std::max({outer.x, outer.y, outer.z});
     const bool blurred = !plan.scene.sharp;
     std::vector<gpu::Need> needs;
     const auto texture = [&](const char* what, std::int64_t bytes) {
-        needs.push_back({what, texels * bytes, false, edge});
+        needs.push_back(scene::voxelNeed(plan.scene.layout, what, bytes));
     };
     if (blurred && plan.gathers())
         texture("the medium", plan.colour ? 16 : plan.scatters || plan.emits ? 8 : 4);

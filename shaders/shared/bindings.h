@@ -16,6 +16,7 @@ const int kNearbyUnit = 11;      // bits of the objects that hold a cube of voxe
 const int kAbsorptionsUnit = 12; // coefficients that vary within regions [1/voxel], g
 const int kScatteringsUnit = 13; // [1/voxel]
 const int kEmissionsUnit = 14;   // [radiance/voxel]
+const int kVoxelBlocksUnit = 16; // where blocks of voxels lie in textures of them
 const int kBlocksUnit = 15;      // where each object's blocks of cells lie among the distances
 
 // view: textures of blurred media, of light, of what surrounds the scene.

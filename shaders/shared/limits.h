@@ -12,6 +12,12 @@ const int kBrickBits = 3;
 const int kBrickEdge = 1 << kBrickBits;
 const uint kNoBrick = 0xFFFFFFFFu;
 
+// Large textures of voxels are cut into blocks of 8³ cells with the 9³ samples at their corners. Their table
+// has x + (y << 10) + (z << 20) by a block's place in the atlas.
+const int kVoxelBlockBits = 3;
+const int kVoxelCells = 1 << kVoxelBlockBits;
+const int kVoxelSamples = kVoxelCells + 1;
+
 // A block of cells has 8³ of them: 8 texels along x, or 3 that are packed, and 11 along y and z of the atlas
 // of distances. The table of blocks has x + (y << 10) + (z << 20) by a block's place in the atlas, or
 // kFarBlock where no boundary is near, or one more inside the object.

@@ -3,7 +3,7 @@
 
 struct TransportParams {
     vec4 halfSize;  // xyz: half the domain's size [voxel]
-    vec4 scale;     // xyz: 1 / (size + 2), voxels to coordinates of padded textures
+    vec4 scale;     // xyz: 1 / texels of textures of voxels
     vec4 steps;     // x: longest dτ, y: adaptive, shortest dτ, z: by stages, first dτ,
                     // w: longest step [voxel]
     vec4 tolerance; // adaptive, x: error allowed where a path leaves, y: length of a crossing [voxel]

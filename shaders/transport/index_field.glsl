@@ -3,6 +3,7 @@
 #include "shared/bindings.h"
 #include "shared/field_params.h"
 #include "transport/spline.glsl"
+#include "transport/voxels.glsl"
 
 #ifndef FIELD
 #error FIELD must be 0 (a constant index), 1 (linear) or 2 (cubic)
@@ -33,7 +34,7 @@ vec4 fieldAt(vec3 x) {
 }
 #elif FIELD == 1
 vec4 fieldAt(vec3 x) {
-    return textureLod(field, (x + 1.5) * fieldParams.scale.xyz, 0.0);
+    return textureLod(field, texelAt(x) * fieldParams.scale.xyz, 0.0);
 }
 #else
 vec4 fieldAt(vec3 x) {

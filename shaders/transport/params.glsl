@@ -11,8 +11,3 @@ const float kRounding = 6.0e-8; // of a float, relative
 float errorOf(float error, int steps) {
     return error + kRounding * transport.tolerance.y * sqrt(float(steps));
 }
-
-// Voxels to coordinates of textures that are padded by one voxel.
-vec3 coordinate(vec3 x) {
-    return (x + 1.5) * transport.scale.xyz;
-}

@@ -18,7 +18,7 @@
 const bool kVaries = VARIES == 1; // some object's coefficients vary within it
 const bool kOpaqueObjects = OPAQUE == 1 && kObjects > 0; // some object is opaque
 const bool kOpaqueVoxels = OPAQUE == 1 && kObjects == 0; // blurred: opaque material ends paths
-// A page of padded voxels along z for each region that varies.
+// A page of voxels along z for each region that varies.
 layout(binding = kAbsorptionsUnit) uniform sampler3D absorptions; // [1/voxel], g
 layout(binding = kScatteringsUnit) uniform sampler3D scatterings; // [1/voxel]
 layout(binding = kEmissionsUnit) uniform sampler3D emissions;     // [radiance/voxel]
@@ -94,7 +94,7 @@ Coefficients coefficientsAt(int region, vec3 x) {
     Coefficients found = Coefficients(here.absorption.xyz, here.scattering.xyz, here.scattering.w,
                                       here.emission.xyz);
     if (kVaries && here.absorption.w >= 0.0) {
-        vec3 at = (x + vec3(1.5, 1.5, 1.5 + here.absorption.w)) * scene.page.xyz;
+        vec3 at = (texelAt(x) + vec3(0.0, 0.0, here.absorption.w)) * scene.page.xyz;
         vec4 absorption = textureLod(absorptions, at, 0.0);
         found = Coefficients(max(absorption.xyz, vec3(0.0)), textureLod(scatterings, at, 0.0).xyz,
                              absorption.w, textureLod(emissions, at, 0.0).xyz);
