@@ -70,6 +70,8 @@ FormatFacts facts(TexelFormat format) {
         return {GL_R32F, GL_RED, GL_FLOAT, 1, 4};
     case TexelFormat::rg32f:
         return {GL_RG32F, GL_RG, GL_FLOAT, 2, 8};
+    case TexelFormat::rgba16f:
+        return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 4, 8};
     case TexelFormat::rgba32f:
         return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16};
     case TexelFormat::r8ui:
@@ -130,17 +132,23 @@ std::int64_t Texture::bytes() const {
 }
 
 void Texture::upload(const void* data) {
-    uploadSlices(0, std::max(mSize.z, 1), data);
+    if (mSize.z == 0)
+        uploadRows(0, mSize.y, data);
+    else
+        uploadSlices(0, mSize.z, data);
 }
 
 void Texture::uploadSlices(int slice, int count, const void* data) {
     const FormatFacts format = facts(mFormat);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (mSize.z == 0)
-        glTextureSubImage2D(mName, 0, 0, 0, mSize.x, mSize.y, format.layout, format.type, data);
-    else
-        glTextureSubImage3D(mName, 0, 0, 0, slice, mSize.x, mSize.y, count, format.layout,
-                            format.type, data);
+    glTextureSubImage3D(mName, 0, 0, 0, slice, mSize.x, mSize.y, count, format.layout, format.type,
+                        data);
+}
+
+void Texture::uploadRows(int row, int count, const void* data) {
+    const FormatFacts format = facts(mFormat);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(mName, 0, 0, row, mSize.x, count, format.layout, format.type, data);
 }
 
 void Texture::download(void* data, std::int64_t bytes) const {

@@ -37,7 +37,7 @@ private:
     std::int64_t mBytes = 0;
 };
 
-enum class TexelFormat { r32f, rg32f, rgba32f, r8ui, r32ui };
+enum class TexelFormat { r32f, rg32f, rgba16f, rgba32f, r8ui, r32ui };
 int componentsOf(TexelFormat format);
 int bytesOf(TexelFormat format);
 
@@ -52,10 +52,12 @@ public:
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;
 
-    /// The whole content, x fastest. Float formats take float, the others their own type.
+    /// The whole content, x fastest. Floats of 32 bits take float, the others their own type.
     void upload(const void* data);
     /// `data` holds `count` slices from `slice` on.
     void uploadSlices(int slice, int count, const void* data);
+    /// `data` holds `count` rows of a 2-D texture from `row` on.
+    void uploadRows(int row, int count, const void* data);
     void download(void* data, std::int64_t bytes) const;
     void clear();                 ///< to zero
     void fill(const void* texel); ///< every texel to this one

@@ -1,5 +1,5 @@
 eikonal_room(image
-    SOURCES exr_reader.cpp exr_workers.cpp exr_writer.cpp image.cpp input.cpp picture.cpp
+    SOURCES exr_reader.cpp exr_workers.cpp exr_writer.cpp halves.cpp image.cpp input.cpp picture.cpp
             picture_module.cpp radiance.cpp
     LIBRARIES OpenEXR::OpenEXR)
 

@@ -2,23 +2,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view/background.h"
 
+#include "image/halves.h"
+
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace eikonal::view {
 
+namespace {
+
+/// Rows that are uploaded at a time, so that the host never holds the whole twice.
+constexpr int kRows = 64;
+
+/// `copy(plane, row, rows, out)` writes a channel to every fourth number from `out` on.
+template<typename Number, typename Copy>
+gpu::Texture uploaded(gpu::Device& device, const image::Image& map, gpu::TexelFormat format,
+                      const Copy& copy) {
+    gpu::Texture texture(device, {map.width, map.height, 0}, format, gpu::Filter::nearest);
+    std::vector<Number> rgba(static_cast<size_t>(map.width) * kRows * 4);
+    for (int row = 0; row < map.height; row += kRows) {
+        const int rows = std::min(kRows, map.height - row);
+        for (size_t c = 0; c < 3; ++c) copy(c, row, rows, rgba.data() + c);
+        texture.uploadRows(row, rows, rgba.data());
+    }
+    return texture;
+}
+
+} // namespace
+
 gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map) {
     if (!map) return {};
-    std::vector<float> rgba(map->area() * 4);
-    for (size_t c = 0; c < 3; ++c) {
-        const auto plane = map->plane(c);
-        for (size_t i = 0; i < plane.size(); ++i) rgba[4 * i + c] = plane[i];
-    }
-    gpu::Texture texture(device, {map->width, map->height, 0}, gpu::TexelFormat::rgba32f,
-                         gpu::Filter::nearest);
-    texture.upload(rgba.data());
-    return texture;
+    if (image::areHalves(*map))
+        return uploaded<std::uint16_t>(device, *map, gpu::TexelFormat::rgba16f,
+                                       [&](size_t c, int row, int rows, std::uint16_t* out) {
+                                           image::copyHalves(*map, c, row, rows, out, 4);
+                                       });
+    return uploaded<float>(device, *map, gpu::TexelFormat::rgba32f,
+                           [&](size_t c, int row, int rows, float* out) {
+                               const auto width = static_cast<size_t>(map->width);
+                               const auto first = static_cast<size_t>(row) * width;
+                               for (size_t i = 0; i < static_cast<size_t>(rows) * width; ++i)
+                                   out[4 * i] = map->plane(c)[first + i];
+                           });
 }
 
 void tellBackground(ViewParams& values, const scene::Scene& scene, const Params& params,

@@ -101,6 +101,26 @@ TEST(ViewEnvironment, DirectionsAreFoundToAHundredthOfAPixel) {
     }
 }
 
+TEST(Environment, MapsOfHalvesTakeHalfTheMemoryAndLookTheSame) {
+    const int width = 256, height = 128;
+    std::vector<float> pixels(3 * static_cast<size_t>(width) * height);
+    std::mt19937 random(3);
+    // Eleven digits from 2^-14 to 2^15, as halves have them.
+    for (float& value : pixels)
+        value = std::ldexp(static_cast<float>(1024 + random() % 1024),
+                           static_cast<int>(random() % 30) - 24);
+    const auto lookAt = [&] {
+        image::Image map(width, height);
+        map.addChannels({"R", "G", "B"}, pixels, 3);
+        return Look(emptiness(), perspective(dvec3(8), {8, 8.3, 9}, 120, {41, 41}), map);
+    };
+    const Look halves = lookAt();
+    pixels[0] = 1 + 1e-5f; // at the map's edge, behind the camera: no half
+    const Look floats = lookAt();
+    EXPECT_EQ(halves.picture.pixels, floats.picture.pixels);
+    EXPECT_EQ(floats.stats.gpuPeakBytes - halves.stats.gpuPeakBytes, 8u * width * height);
+}
+
 TEST(ViewEnvironment, TurnsAndOtherUpAxes) {
     const auto kind = image::Envmap::latLong;
     // Turned by +90°, what was at +X is at +Z, and the poles stay.
