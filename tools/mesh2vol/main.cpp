@@ -5,6 +5,7 @@
 #include "mesh/read.h"
 #include "mesh2vol/objects.h"
 #include "voxelize/accept.h"
+#include "voxelize/curve.h"
 #include "voxelize/voxelize.h"
 
 #include <algorithm>
@@ -118,6 +119,10 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
         session.warn(std::to_string(params.objects.size()) + " objects: lightsim and render take " +
                      std::to_string(voxelize::mostSharpObjects()) +
                      " with sharp boundaries, any number with --boundary blurred");
+    session.pass("smooth", [&] {
+        for (const std::string& warning : voxelize::curveObjects(params, session.stats()))
+            session.warn(warning);
+    });
     voxelize::Plan plan;
     session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {
