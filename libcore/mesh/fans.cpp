@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/fans.h"
 
+#include "mesh/fit_normals.h"
 #include "mesh/shells.h"
 
 #include <algorithm>
@@ -59,7 +60,8 @@ public:
         }
         Fans fans = number();
         weigh(fans);
-        useOwn(fans);
+        const std::vector<char> own = useOwn(fans);
+        fitNormals(mMesh, own, fans);
         partTips(fans);
         return fans;
     }
@@ -137,9 +139,10 @@ private:
     }
 
     /// Takes the mesh's own normals where all corners of a fan have one that fits their face. Those
-    /// that are the faces' but for a file's rounding are known better.
-    void useOwn(Fans& fans) const {
-        if (mMesh.normals.empty()) return;
+    /// that are the faces' but for a file's rounding are known better. Gives which fans have taken.
+    std::vector<char> useOwn(Fans& fans) const {
+        std::vector<char> taken(fans.normals.size(), 0);
+        if (mMesh.normals.empty()) return taken;
         std::vector<dvec3> sums(fans.normals.size(), dvec3(0));
         std::vector<double> least(fans.normals.size(), 1); // cosine between own and a face's
         eachCorner(fans, [&](std::uint32_t corner, std::uint32_t fan) {
@@ -148,8 +151,11 @@ private:
             least[fan] = std::min(least[fan], glm::dot(own, mNormals[corner / 3]));
         });
         for (size_t fan = 0; fan < sums.size(); ++fan)
-            if (least[fan] >= mCosine && least[fan] < kSameNormal)
+            if (least[fan] >= mCosine && least[fan] < kSameNormal) {
                 fans.normals[fan] = unit(sums[fan]);
+                taken[fan] = 1;
+            }
+        return taken;
     }
 
     void partTips(Fans& fans) const {
