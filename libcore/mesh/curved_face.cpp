@@ -182,6 +182,7 @@ CurvedFace::Nearest CurvedFace::nearest(const dvec3& x) const {
     // Newton's step is the point of the parameters' triangle nearest to its goal, as the second
     // derivatives measure length: so sides and corners need no case of their own.
     constexpr int kSteps = 8;
+    constexpr double kEnough = 1e-9;
     dvec2 uv = nearestWeights(x, mCorners[0], mCorners[1], mCorners[2]);
     Slopes here = slopesAt(uv);
     double best = squared(here.x - x);
@@ -204,8 +205,10 @@ CurvedFace::Nearest CurvedFace::nearest(const dvec3& x) const {
         const double height = std::sqrt(rest);
         const double y = (gradient.y - skew * gradient.x / root) / height;
         const dvec3 origin(0), b(root, 0, 0), c(skew, height, 0);
-        const dvec3 goal = uv.x * b + uv.y * c - dvec3(gradient.x / root, y, 0);
-        dvec2 next = nearestWeights(goal, origin, b, c);
+        const dvec3 from = uv.x * b + uv.y * c;
+        dvec2 next = nearestWeights(from - dvec3(gradient.x / root, y, 0), origin, b, c);
+        // What the step would save of the square, about.
+        if (squared(next.x * b + next.y * c - from) < kEnough * best) break;
         const double before = best;
         for (int halving = 0; halving < 4; ++halving, next = 0.5 * (uv + next)) {
             const Slopes there = slopesAt(next);
@@ -216,7 +219,7 @@ CurvedFace::Nearest CurvedFace::nearest(const dvec3& x) const {
             here = there;
             break;
         }
-        if (!(best < before * (1 - 1e-12))) break;
+        if (best == before) break;
     }
     return {best, glm::dot(x - here.x, unit(glm::cross(here.u, here.v)))};
 }

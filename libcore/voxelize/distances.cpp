@@ -145,11 +145,12 @@ private:
     /// The same with the faces that may be nearest to any of its points, in the first of the lists.
     void measure(const ivec3& low, int edge, Faces* lists, Bricks& found) const {
         if (glm::any(glm::greaterThanEqual(low, mSize))) return;
+        if (edge == 1 && mBulge > 0) return storeCurved(low, lists[0], found);
         const dvec3 middle = dvec3(low) + (edge - 1) / 2.0;
         const double toCorner = std::sqrt(3.0) * (edge - 1) / 2;
         const double squared = nearestOf(middle, lists[0]), distance = std::sqrt(squared);
         if (distance > mHalfWidth + toCorner + mBulge) return;
-        if (edge == 1) return store(low, distance, lists[0], found);
+        if (edge == 1) return store(low, distance, found);
         Faces* const own = lists + 1;
         keepNear(middle, distance + 2 * (toCorner + mBulge) + kRounding, lists[0], *own);
         for (int i = 0; i < 8; ++i)
@@ -213,19 +214,19 @@ private:
         return best;
     }
 
-    void store(const ivec3& voxel, double flat, const Faces& faces, Bricks& found) const {
-        if (mBulge == 0) return store(voxel, static_cast<float>(flat * mVoxelSize), found);
+    void storeCurved(const ivec3& voxel, const Faces& faces, Bricks& found) const {
         const auto nearest = nearestCurved(dvec3(voxel), faces);
-        store(voxel, static_cast<float>(std::sqrt(nearest.squared) * mVoxelSize), found);
+        const double distance = std::sqrt(nearest.squared);
+        store(voxel, distance, found);
         // Columns counted the flat faces: between those and the curved ones they are wrong.
-        if (flat > mBulge) return;
+        if (distance > 2 * mBulge) return;
         float& value = valueAt(voxel, found);
         value = std::copysign(value, static_cast<float>(nearest.height));
     }
 
-    void store(const ivec3& voxel, float distance, Bricks& found) const {
+    void store(const ivec3& voxel, double distance, Bricks& found) const {
         float& value = valueAt(voxel, found);
-        value = std::copysign(std::min(distance, mFar), value);
+        value = std::copysign(std::min(static_cast<float>(distance * mVoxelSize), mFar), value);
     }
 
     float& valueAt(const ivec3& voxel, Bricks& found) const {
