@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace eikonal::mesh {
 
@@ -95,10 +96,12 @@ private:
 
     void joinAcross(const FaceEdge& a, const FaceEdge& b) {
         const dvec3 &p = mNormals[a.face], &q = mNormals[b.face];
-        if (a.rising == b.rising || p == dvec3(0) || q == dvec3(0) || glm::dot(p, q) < mCosine)
-            return;
         const std::uint32_t lowA = cornerAt(a.face, a.low), lowB = cornerAt(b.face, b.low),
                             highA = cornerAt(a.face, a.high), highB = cornerAt(b.face, b.high);
+        if (a.rising == b.rising || p == dvec3(0) || q == dvec3(0) || glm::dot(p, q) < mCosine) {
+            mParted.insert(mParted.end(), {{lowA, lowB}, {highA, highB}});
+            return;
+        }
         if (!sameOwn(lowA, lowB) || !sameOwn(highA, highB)) return;
         join(lowA, lowB);
         join(highA, highB);
@@ -119,10 +122,14 @@ private:
         return fans;
     }
 
+    static std::uint32_t fanOf(const Fans& fans, std::uint32_t corner) {
+        return fans.of[corner / 3][static_cast<int>(corner % 3)];
+    }
+
     template<typename Act> void eachCorner(const Fans& fans, const Act& act) const {
         for (std::uint32_t corner = 0; corner < mParents.size(); ++corner)
             if (mNormals[corner / 3] != dvec3(0))
-                act(corner, fans.of[corner / 3][static_cast<int>(corner % 3)]);
+                act(corner, fanOf(fans, corner));
     }
 
     void weigh(Fans& fans) const {
@@ -139,10 +146,15 @@ private:
     }
 
     /// Takes the mesh's own normals where all corners of a fan have one that fits their face. Those
-    /// that are the faces' but for a file's rounding are known better. Gives which fans have taken.
+    /// that are the faces' but for a file's rounding are known better; those that are the same
+    /// beyond an edge that is kept would round it. Gives which fans have taken.
     std::vector<char> useOwn(Fans& fans) const {
-        std::vector<char> taken(fans.normals.size(), 0);
+        std::vector<char> taken(fans.normals.size(), 0), rounds(fans.normals.size(), 0);
         if (mMesh.normals.empty()) return taken;
+        for (const auto& [a, b] : mParted) {
+            const std::uint32_t fanA = fanOf(fans, a), fanB = fanOf(fans, b);
+            if (fanA != fanB && sameOwn(a, b)) rounds[fanA] = rounds[fanB] = 1;
+        }
         std::vector<dvec3> sums(fans.normals.size(), dvec3(0));
         std::vector<double> least(fans.normals.size(), 1); // cosine between own and a face's
         eachCorner(fans, [&](std::uint32_t corner, std::uint32_t fan) {
@@ -151,7 +163,7 @@ private:
             least[fan] = std::min(least[fan], glm::dot(own, mNormals[corner / 3]));
         });
         for (size_t fan = 0; fan < sums.size(); ++fan)
-            if (least[fan] >= mCosine && least[fan] < kSameNormal) {
+            if (!rounds[fan] && least[fan] >= mCosine && least[fan] < kSameNormal) {
                 fans.normals[fan] = unit(sums[fan]);
                 taken[fan] = 1;
             }
@@ -176,6 +188,7 @@ private:
     std::vector<dvec3> mNormals;
     double mCosine;
     std::vector<std::uint32_t> mParents;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> mParted; ///< corners beside kept edges
 };
 
 /// A face of one of several meshes by where its corners are.
