@@ -124,8 +124,7 @@ std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh) {
         const dvec3 &a = mesh.points[edge.low], &b = mesh.points[edge.high];
         const EdgeNormals left = normalsAt(mesh, edge), right = normalsAt(mesh, edges[end - 1]);
         const bool isSmooth = left.first == right.first && left.second == right.second;
-        const EdgeCurve curve =
-            isSmooth ? smoothCurve(a, b, left) : creaseCurve(a, b, left, right);
+        const EdgeCurve curve = isSmooth ? smoothCurve(a, b, left) : creaseCurve(a, b, left, right);
         for (size_t i = begin; i < end; ++i) {
             const glm::uvec3& face = mesh.triangles[edges[i].face];
             const std::uint32_t start = edges[i].rising ? edge.low : edge.high;

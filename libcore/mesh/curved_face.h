@@ -40,8 +40,8 @@ glm::dvec3 middleNormal(const glm::dvec3& a, const glm::dvec3& b, const EdgeCurv
 std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh);
 
 /// A cubic triangle through three points with such curves for sides; where these are of a quadratic
-/// surface over the triangle's plane, that surface (Vlachos, Peters, Boyd and Mitchell 2001, "Curved
-/// PN triangles", but for the sides' rise).
+/// surface over the triangle's plane, that surface (Vlachos, Peters, Boyd and Mitchell 2001,
+/// "Curved PN triangles", but for the sides' rise).
 class CurvedFace {
 public:
     CurvedFace(const std::array<glm::dvec3, 3>& corners, const std::array<EdgeCurve, 3>& sides);

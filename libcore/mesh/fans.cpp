@@ -35,10 +35,9 @@ std::vector<dvec3> faceNormals(const TriangleMesh& mesh) {
     for (size_t f = 0; f < mesh.triangles.size(); ++f) {
         const glm::uvec3& face = mesh.triangles[f];
         const dvec3 area = areaOf(mesh, f);
-        const double longest =
-            std::max({glm::distance(mesh.points[face.x], mesh.points[face.y]),
-                      glm::distance(mesh.points[face.y], mesh.points[face.z]),
-                      glm::distance(mesh.points[face.z], mesh.points[face.x])});
+        const double longest = std::max({glm::distance(mesh.points[face.x], mesh.points[face.y]),
+                                         glm::distance(mesh.points[face.y], mesh.points[face.z]),
+                                         glm::distance(mesh.points[face.z], mesh.points[face.x])});
         normals.push_back(glm::length(area) > 1e-9 * longest * longest ? unit(area) : dvec3(0));
     }
     return normals;
@@ -128,8 +127,7 @@ private:
 
     template<typename Act> void eachCorner(const Fans& fans, const Act& act) const {
         for (std::uint32_t corner = 0; corner < mParents.size(); ++corner)
-            if (mNormals[corner / 3] != dvec3(0))
-                act(corner, fanOf(fans, corner));
+            if (mNormals[corner / 3] != dvec3(0)) act(corner, fanOf(fans, corner));
     }
 
     void weigh(Fans& fans) const {

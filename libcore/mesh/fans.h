@@ -20,8 +20,8 @@ struct Fans {
 /// mesh's own normals differ on its sides, or it has not two faces that agree. A fan's normal is
 /// that of the mesh, where it has one there that is off none of the faces by more than `degrees`;
 /// else that of its faces, weighted so that it is exact where the points lie on a sphere (Max 1999,
-/// "Weights for computing vertex normals from facet normals"). Where that is off one of the faces by
-/// more than `degrees`, as at the tip of a cone, each face has a fan of its own.
+/// "Weights for computing vertex normals from facet normals"). Where that is off one of the faces
+/// by more than `degrees`, as at the tip of a cone, each face has a fan of its own.
 Fans findFans(const TriangleMesh& mesh, double degrees);
 
 /// Where faces of several meshes coincide, point for point, gives the fans there one normal, that

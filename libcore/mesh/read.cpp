@@ -67,7 +67,8 @@ glm::vec3 normalAt(const PolygonSoup& soup, size_t corner) {
     return length > 0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0);
 }
 
-/// Appends a polygon's triangles with their corners' normals; `first` is the polygon's first corner.
+/// Appends a polygon's triangles with their corners' normals; `first` is the polygon's first
+/// corner.
 void addWithNormals(const PolygonSoup& soup, size_t first,
                     const std::vector<std::uint32_t>& polygon, TriangleMesh& mesh) {
     // Triangles of corners rather than points, so that each finds its normal.

@@ -1,5 +1,5 @@
-// Wavefront OBJ: the lines `v`, `vn`, `f`, `o` and `g`; all others are about looks and curves. Nor is
-// `s` read, the smoothing of faces without normals: many write `s off` whatever they mean.
+// Wavefront OBJ: the lines `v`, `vn`, `f`, `o` and `g`; all others are about looks and curves. Nor
+// is `s` read, the smoothing of faces without normals: many write `s off` whatever they mean.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/formats.h"
 

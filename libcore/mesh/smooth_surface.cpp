@@ -133,8 +133,7 @@ private:
 };
 
 /// Splits until no side rises too far.
-Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normals,
-              double sagitta) {
+Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normals, double sagitta) {
     Split split{{mesh.points, mesh.triangles, normals}, {}};
     split.origins.resize(mesh.triangles.size());
     for (std::uint32_t f = 0; f < split.origins.size(); ++f) split.origins[f] = f;

@@ -14,8 +14,8 @@ struct SmoothCounts {
 /// The mesh with the fans' normals, its faces split until none departs from the curved one that it
 /// stands for (edgeCurves(), CurvedFace) by more than `sagitta` [unit]. Points stay where they are;
 /// new ones are the middles of edges' curves, which depend on the edge alone: what was closed stays
-/// so. Faces that bend less are not split. Where curved faces would cross others which the flat ones
-/// do not, those stay flat, their normals 0.
+/// so. Faces that bend less are not split. Where curved faces would cross others which the flat
+/// ones do not, those stay flat, their normals 0.
 TriangleMesh curved(const TriangleMesh& mesh, const Fans& fans, double sagitta,
                     SmoothCounts& counts);
 

@@ -205,8 +205,8 @@ private:
             const double apart = std::sqrt(own.squared) - distance;
             // Of two faces at whose edge the nearest point lies the one that x is more before or
             // behind tells the side.
-            if (apart > kRounding || (apart > -kRounding && std::abs(own.height) <=
-                                                                std::abs(best.height)))
+            if (apart > kRounding ||
+                (apart > -kRounding && std::abs(own.height) <= std::abs(best.height)))
                 continue;
             best = own;
             distance = std::sqrt(best.squared);
