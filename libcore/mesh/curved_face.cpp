@@ -78,6 +78,10 @@ EdgeNormals normalsAt(const TriangleMesh& mesh, const FaceEdge& edge) {
 
 } // namespace
 
+double EdgeCurve::bulge() const {
+    return glm::length(rise) + std::sqrt(3.0) / 18 * glm::length(skew);
+}
+
 EdgeCurve smoothCurve(const dvec3& a, const dvec3& b, const EdgeNormals& normals) {
     const dvec3 chord = b - a, sum = normals.first + normals.second;
     const double length = glm::length(sum); // twice the cosine of half the angle between them

@@ -14,7 +14,8 @@ struct EdgeCurve {
     glm::dvec3 rise{0}; ///< of the curve's middle; its length is the chord's sagitta
     glm::dvec3 skew{0}; ///< how differently the two ends are bent
 
-    bool straight() const { return rise == glm::dvec3(0) && skew == glm::dvec3(0); }
+    /// At least how far any of its points is from the chord's with the same t.
+    double bulge() const;
 };
 
 /// The normals at an edge's two ends as one of its faces has them; 0: none, the face is flat.

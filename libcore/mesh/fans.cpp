@@ -21,7 +21,7 @@ const double kSameNormal = std::cos(glm::radians(0.1));
 
 dvec3 unit(const dvec3& v) {
     const double length = glm::length(v);
-    return length > 0 ? v / length : dvec3(0);
+    return length > 0 && std::isfinite(length) ? v / length : dvec3(0);
 }
 
 dvec3 areaOf(const TriangleMesh& mesh, size_t face) {
@@ -136,9 +136,8 @@ private:
             const int k = static_cast<int>(corner % 3);
             const dvec3 &x = mMesh.points[f[k]], a = mMesh.points[f[(k + 1) % 3]] - x,
                         b = mMesh.points[f[(k + 2) % 3]] - x;
-            const dvec3 area = glm::cross(a, b);
-            fans.normals[fan] += area / (glm::dot(a, a) * glm::dot(b, b));
-            fans.angles[fan] += std::atan2(glm::length(area), glm::dot(a, b));
+            fans.normals[fan] += glm::cross(a / glm::dot(a, a), b / glm::dot(b, b));
+            fans.angles[fan] += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
         });
         for (dvec3& normal : fans.normals) normal = unit(normal);
     }

@@ -56,7 +56,8 @@ struct Turn {
         const dvec2 t(glm::dot(by, u), glm::dot(by, v));
         const double saved =
             2 * glm::dot(right, t) - uu * t.x * t.x - 2 * uv * t.x * t.y - vv * t.y * t.y;
-        return uu + vv > 0 ? saved / (uu + vv) : 0;
+        const double share = saved / (uu + vv);
+        return std::isfinite(share) ? share : 0; // no edges, or some too short to tell
     }
     dvec3 turned() const {
         const double kStay = 0.01; // of the weights, for staying: what no edge asks for stays

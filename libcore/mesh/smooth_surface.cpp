@@ -28,10 +28,10 @@ struct Split {
 /// For each side of each face the point at the middle of its curve, if the side is split.
 using Middles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Gives a middle to every side whose curve rises by more than `sagitta`; both faces there find
-/// the same point.
+/// Gives a middle to every side whose curve bulges by more than `most`; both faces there find the
+/// same point.
 Middles splitEdges(TriangleMesh& mesh, const std::vector<std::array<EdgeCurve, 3>>& curves,
-                   double sagitta, bool& any) {
+                   double most, bool& any) {
     Middles middles(mesh.triangles.size(), {kNone, kNone, kNone});
     const std::vector<FaceEdge> edges = sortedEdges(mesh);
     for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -41,12 +41,12 @@ Middles splitEdges(TriangleMesh& mesh, const std::vector<std::array<EdgeCurve, 3
             const glm::uvec3& face = mesh.triangles[edges[i].face];
             const std::uint32_t start = edges[i].rising ? edges[i].low : edges[i].high;
             const size_t k = face.x == start ? 0 : face.y == start ? 1 : 2;
-            const dvec3& rise = curves[edges[i].face][k].rise;
-            if (glm::length(rise) <= sagitta) break;
+            const EdgeCurve& curve = curves[edges[i].face][k];
+            if (curve.bulge() <= most) break;
             if (middle == kNone) {
                 middle = static_cast<std::uint32_t>(mesh.points.size());
                 const dvec3 x = 0.5 * (mesh.points[edges[i].low] + mesh.points[edges[i].high]);
-                mesh.points.push_back(x + rise);
+                mesh.points.push_back(x + curve.rise);
                 any = true;
             }
             middles[edges[i].face][k] = middle;
@@ -132,17 +132,18 @@ private:
     glm::vec3 mNormals[6];
 };
 
-/// Splits until no side rises too far.
-Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normals, double sagitta) {
+/// Splits until no side bulges by more than `most`.
+Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normals, double most) {
     Split split{{mesh.points, mesh.triangles, normals}, {}};
     split.origins.resize(mesh.triangles.size());
     for (std::uint32_t f = 0; f < split.origins.size(); ++f) split.origins[f] = f;
-    // Each halving leaves a quarter of a rise: that of a domain's whole length is gone by then.
+    // Each halving leaves about a quarter of a bulge: that of a domain's whole length is gone by
+    // then.
     constexpr int kMostHalvings = 10;
     for (int i = 0; i < kMostHalvings; ++i) {
         const auto curves = edgeCurves(split.mesh);
         bool any = false;
-        const Middles middles = splitEdges(split.mesh, curves, sagitta, any);
+        const Middles middles = splitEdges(split.mesh, curves, most, any);
         if (!any) break;
         for (std::uint32_t f = 0; f < middles.size(); ++f)
             if (middles[f] != std::array{kNone, kNone, kNone})
@@ -171,12 +172,12 @@ std::set<std::uint32_t> crossing(const TriangleMesh& mesh, const Split& split) {
 TriangleMesh curved(const TriangleMesh& mesh, const Fans& fans, double sagitta,
                     SmoothCounts& counts) {
     std::vector<CornerNormals> normals = cornerNormals(fans);
-    // A face may rise 4/3 as far as its sides.
-    const double rise = 0.75 * sagitta;
+    // A face may bulge 4/3 as far as its sides.
+    const double most = 0.75 * sagitta;
     // A face laid flat bends its neighbours' curves, which may cross in turn; then all are.
     constexpr int kRounds = 4;
     for (int round = 0; round < kRounds; ++round) {
-        Split split = refined(mesh, normals, rise);
+        Split split = refined(mesh, normals, most);
         const bool isSplit = split.mesh.points.size() > mesh.points.size();
         const std::set<std::uint32_t> faces =
             isSplit ? crossing(mesh, split) : std::set<std::uint32_t>();

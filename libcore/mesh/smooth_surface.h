@@ -7,6 +7,13 @@
 
 namespace eikonal::mesh {
 
+// Triangles that meet at more are an edge, unless a user says otherwise [degree].
+constexpr double kUsualSmooth = 30;
+
+// What triangles that stand for a curved surface in a grid may be off it [voxel]: below what counts
+// of samples tell at eight along a voxel's edge.
+constexpr double kSagitta = 1.0 / 20;
+
 struct SmoothCounts {
     size_t flat = 0; ///< faces left flat since curved ones would have crossed others
 };

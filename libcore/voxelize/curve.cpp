@@ -15,7 +15,7 @@ std::vector<std::string> curveObjects(Params& params, Stats& stats) {
         for (Object& object : params.objects) object.mesh.normals.clear();
         return warnings;
     }
-    const double sagitta = kSagitta * voxelSizeOf(params);
+    const double sagitta = mesh::kSagitta * voxelSizeOf(params);
     std::vector<const mesh::TriangleMesh*> meshes;
     std::vector<mesh::Fans> fans;
     for (const Object& object : params.objects) {

@@ -10,10 +10,6 @@
 
 namespace eikonal::voxelize {
 
-// What drawn facets may be off the curved surface [voxel]: below what coverage can tell at eight
-// samples along an edge. Distances are those to the curved surface itself.
-constexpr double kSagitta = 1.0 / 20;
-
 /// Curves the objects' meshes as `params.smooth` says, as finely as their lattice asks for
 /// (mesh/smooth_surface.h), and where they touch all alike. Counts triangles before and after.
 /// Gives a warning for each object with faces that stay flat since curved they would cross others.

@@ -19,7 +19,7 @@ using mesh::TriangleMesh;
 
 constexpr double kBand = 6;
 
-TriangleMesh curvedBy(const TriangleMesh& mesh, double degrees, double sagitta = kSagitta) {
+TriangleMesh curvedBy(const TriangleMesh& mesh, double degrees, double sagitta = mesh::kSagitta) {
     mesh::SmoothCounts counts;
     TriangleMesh result = mesh::curved(mesh, mesh::findFans(mesh, degrees), sagitta, counts);
     EXPECT_EQ(counts.flat, 0u);

@@ -89,6 +89,12 @@ void explain(const tool::Session& session, const voxelize::Params& params,
     session.explain(plan.effects, voxelize::thinWallWarnings(params, plan), facts);
 }
 
+std::string trianglesOf(const voxelize::Params& params) {
+    size_t triangles = 0;
+    for (const voxelize::Object& object : params.objects) triangles += object.mesh.triangles.size();
+    return std::to_string(triangles);
+}
+
 /// lightsim holds a float a voxel in one buffer: more than fits is told before it is lit.
 void warnOfLightsim(tool::Session& session, const volume::Volume& volume) {
     const std::int64_t most = session.device().limits().storageBufferBytes / 4;
@@ -123,6 +129,7 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
         for (const std::string& warning : voxelize::curveObjects(params, session.stats()))
             session.warn(warning);
     });
+    objects.facts.emplace_back("triangles, curved by --smooth", trianglesOf(params));
     voxelize::Plan plan;
     session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {
