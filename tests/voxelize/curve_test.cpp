@@ -194,6 +194,20 @@ TEST(Curve, OverlappingShellsAreCurvedToo) {
     EXPECT_EQ(found.wrongSide, 0);
 }
 
+TEST(Curve, BesideAnOverlapRimsAreRound) {
+    // A cylinder with a ball in one end: its other rim is nowhere near what is cut.
+    const TriangleMesh mesh = curvedBy(
+        mesh::joined(
+            mesh::moved(mesh::turned({{0, -11}, {13, -11}, {13, 11}, {0, 11}}, 13, false), kCentre),
+            mesh::moved(mesh::icosphere(6, 2), kCentre + dvec3(0, 11, 0))),
+        30, 0.5);
+    const Deviation found =
+        compare(mesh, ivec3(41), toCylinder, [](const dvec3& x) { return x.y < kCentre.y; });
+    std::printf("alone %g\n", found.most);
+    EXPECT_LT(found.most, 5e-5);
+    EXPECT_EQ(found.wrongSide, 0);
+}
+
 TEST(Curve, MeshesMayLieAnywhereAndVoxelsBeOfAnySize) {
     const double h = 0.013;
     const dvec3 low(700, -300, 41);
