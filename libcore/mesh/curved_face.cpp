@@ -117,26 +117,88 @@ dvec3 middleNormal(const dvec3& a, const dvec3& b, const EdgeCurve& curve,
     return unit(without(normals.first + normals.second, tangent));
 }
 
-std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh) {
-    std::vector<std::array<EdgeCurve, 3>> curves(mesh.triangles.size());
-    if (mesh.normals.empty()) return curves;
-    const std::vector<FaceEdge> edges = sortedEdges(mesh);
-    for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-        end = endOfEdge(edges, begin);
-        if (end - begin > 2) continue;
-        const FaceEdge& edge = edges[begin];
-        const dvec3 &a = mesh.points[edge.low], &b = mesh.points[edge.high];
-        const EdgeNormals left = normalsAt(mesh, edge), right = normalsAt(mesh, edges[end - 1]);
+namespace {
+
+/// The curves of all faces' sides, while they are made.
+class EdgeCurves {
+public:
+    explicit EdgeCurves(const TriangleMesh& mesh)
+        : mMesh(mesh), mEdges(sortedEdges(mesh)), mCurves(mesh.triangles.size()),
+          mCreases(mesh.triangles.size()) {}
+
+    std::vector<std::array<EdgeCurve, 3>> run() {
+        eachEdge([&](size_t begin, size_t end) { bend(begin, end); });
+        const std::vector<std::array<EdgeCurve, 3>> alone = mCurves;
+        eachEdge([&](size_t begin, size_t end) { follow(begin, end, alone); });
+        return std::move(mCurves);
+    }
+
+private:
+    /// Those that one or two faces share.
+    template<typename Act> void eachEdge(const Act& act) const {
+        for (size_t begin = 0, end = 0; begin < mEdges.size(); begin = end) {
+            end = endOfEdge(mEdges, begin);
+            if (end - begin <= 2) act(begin, end);
+        }
+    }
+
+    size_t sideOf(const FaceEdge& edge) const {
+        const glm::uvec3& face = mMesh.triangles[edge.face];
+        const std::uint32_t start = edge.rising ? edge.low : edge.high;
+        return face.x == start ? 0 : face.y == start ? 1 : 2;
+    }
+
+    void bend(size_t begin, size_t end) {
+        const FaceEdge& edge = mEdges[begin];
+        const dvec3 &a = mMesh.points[edge.low], &b = mMesh.points[edge.high];
+        const EdgeNormals left = normalsAt(mMesh, edge), right = normalsAt(mMesh, mEdges[end - 1]);
         const bool isSmooth = left.first == right.first && left.second == right.second;
         const EdgeCurve curve = isSmooth ? smoothCurve(a, b, left) : creaseCurve(a, b, left, right);
         for (size_t i = begin; i < end; ++i) {
-            const glm::uvec3& face = mesh.triangles[edges[i].face];
-            const std::uint32_t start = edges[i].rising ? edge.low : edge.high;
-            const size_t k = face.x == start ? 0 : face.y == start ? 1 : 2;
-            curves[edges[i].face][k] = {curve.rise, edges[i].rising ? curve.skew : -curve.skew};
+            const size_t k = sideOf(mEdges[i]);
+            mCurves[mEdges[i].face][k] = {curve.rise, mEdges[i].rising ? curve.skew : -curve.skew};
+            mCreases[mEdges[i].face][k] = !isSmooth;
         }
     }
-    return curves;
+
+    /// The mean rise of a face's kept edges; 0: it has none.
+    dvec3 creasesRise(std::uint32_t face,
+                      const std::vector<std::array<EdgeCurve, 3>>& curves) const {
+        dvec3 sum(0);
+        int count = 0;
+        for (size_t k = 0; k < 3; ++k)
+            if (mCreases[face][k]) {
+                sum += curves[face][k].rise;
+                ++count;
+            }
+        return count > 0 ? sum / static_cast<double>(count) : dvec3(0);
+    }
+
+    /// Between two kept edges, as across the rim of a thin glass, a smooth edge goes along with
+    /// both within the surface: else they would pass over it.
+    void follow(size_t begin, size_t end, const std::vector<std::array<EdgeCurve, 3>>& alone) {
+        const FaceEdge &left = mEdges[begin], &right = mEdges[end - 1];
+        if (end - begin < 2 || mCreases[left.face][sideOf(left)]) return;
+        const dvec3 p = creasesRise(left.face, alone), q = creasesRise(right.face, alone);
+        const EdgeNormals normals = normalsAt(mMesh, left);
+        if (p == dvec3(0) || q == dvec3(0) || isNone(normals)) return;
+        const dvec3 along = unit(mMesh.points[left.high] - mMesh.points[left.low]),
+                    normal = unit(without(normals.first + normals.second, along));
+        const dvec3 shift = without(without(0.5 * (p + q), along), normal);
+        for (const FaceEdge& edge : {left, right}) mCurves[edge.face][sideOf(edge)].rise += shift;
+    }
+
+    const TriangleMesh& mMesh;
+    std::vector<FaceEdge> mEdges;
+    std::vector<std::array<EdgeCurve, 3>> mCurves;
+    std::vector<std::array<bool, 3>> mCreases; ///< which sides are kept edges
+};
+
+} // namespace
+
+std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh) {
+    if (mesh.normals.empty()) return std::vector<std::array<EdgeCurve, 3>>(mesh.triangles.size());
+    return EdgeCurves(mesh).run();
 }
 
 CurvedFace::CurvedFace(const std::array<dvec3, 3>& corners, const std::array<EdgeCurve, 3>& sides)

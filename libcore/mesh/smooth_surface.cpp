@@ -152,11 +152,24 @@ Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normal
     return split;
 }
 
-/// The faces of the first mesh whose parts cross others', where they do not themselves.
+dvec3 areaOf(const TriangleMesh& mesh, size_t face) {
+    const glm::uvec3& f = mesh.triangles[face];
+    return glm::cross(mesh.points[f.y] - mesh.points[f.x], mesh.points[f.z] - mesh.points[f.x]);
+}
+
+/// The faces of the first mesh whose parts look back, or cross others' where they do not
+/// themselves.
 std::set<std::uint32_t> crossing(const TriangleMesh& mesh, const Split& split) {
     constexpr size_t kMostPairs = 100000;
-    const auto pairs = intersectingPairs(split.mesh, kMostPairs);
     std::set<std::uint32_t> faces;
+    // Beside a face that was laid flat parts stand upright; folded over they look back.
+    const double kBack = -0.5;
+    for (size_t f = 0; f < split.origins.size(); ++f) {
+        const dvec3 part = areaOf(split.mesh, f), whole = areaOf(mesh, split.origins[f]);
+        if (glm::dot(part, whole) < kBack * glm::length(part) * glm::length(whole))
+            faces.insert(split.origins[f]);
+    }
+    const auto pairs = intersectingPairs(split.mesh, kMostPairs);
     if (pairs.empty()) return faces;
     const auto before = intersectingPairs(mesh, kMostPairs);
     const std::set<std::pair<std::uint32_t, std::uint32_t>> known(before.begin(), before.end());

@@ -243,6 +243,24 @@ TEST(Smooth, WhatWouldCrossStaysFlat) {
     EXPECT_GT(result.triangles.size(), 5 * mesh.triangles.size());
 }
 
+TEST(Smooth, AThinRimIsRound) {
+    // A bowl whose wall is a fiftieth of its radius: its rim's sides rise by half of that within
+    // the rim, as do the edges across it, or the rim would fold.
+    std::vector<dvec2> bowl;
+    for (int i = 0; i <= 10; ++i)
+        bowl.push_back(1.02 * dvec2(std::sin(0.2 * i), -std::cos(0.2 * i)));
+    for (int i = 10; i >= 0; --i) bowl.emplace_back(std::sin(0.2 * i), -std::cos(0.2 * i));
+    const TriangleMesh result = curvedBy(turned(bowl, 24, false), 30, 1e-3);
+    const MeshReport report = checkMesh(result);
+    EXPECT_TRUE(report.boundsVolume());
+    EXPECT_EQ(report.selfIntersectingPairs, 0u);
+    double most = 0;
+    for (const dvec3& p : result.points)
+        if (p.y > -1.01 * std::cos(2.0) - 1e-3)
+            most = std::max(most, std::abs(glm::length(p) - 1.01) - 0.01);
+    EXPECT_LT(most, 3e-4);
+}
+
 TEST(Smooth, SurfacesThatTouchDoSoAfterwards) {
     // Wine in a bowl, half an egg: its round faces are the bowl's, seen from the other side. The
     // bowl goes on above; so its normals at the wine's rim are others than the wine tells.
