@@ -126,7 +126,7 @@ MeshReport checkTopology(const TriangleMesh& mesh) {
 
 MeshReport checkMesh(const TriangleMesh& mesh) {
     MeshReport report = checkTopology(mesh);
-    report.selfIntersectingPairs = countIntersectingPairs(mesh, kMaxReportedPairs);
+    report.selfIntersectingPairs = intersectingPairs(mesh, kMaxReportedPairs).size();
     return report;
 }
 

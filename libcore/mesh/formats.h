@@ -28,6 +28,9 @@ struct PolygonSoup {
     std::vector<std::int64_t> corners; ///< of all polygons, one after the other
     std::vector<size_t> ends;          ///< for each polygon, where its corners end in `corners`
     std::vector<Label> labels;         ///< in the order of their first polygons
+    std::vector<glm::vec3> normals;    ///< as the file has them; what it has in a bad form is 0
+    std::vector<std::int64_t> looks; ///< of each corner its normal, or none if there is none such;
+                                     ///< empty if no corner has one
 
     void endPolygon() { ends.push_back(corners.size()); }
 };

@@ -111,7 +111,8 @@ size_t countDegenerateFaces(const TriangleMesh& mesh) {
                       [&](const glm::uvec3& face) { return isDegenerate(mesh, face); }));
 }
 
-size_t countIntersectingPairs(const TriangleMesh& mesh, size_t most) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> intersectingPairs(const TriangleMesh& mesh,
+                                                                       size_t most) {
     std::vector<FaceBox> boxes;
     for (std::uint32_t f : properFaces(mesh)) {
         const glm::uvec3& face = mesh.triangles[f];
@@ -121,10 +122,11 @@ size_t countIntersectingPairs(const TriangleMesh& mesh, size_t most) {
     }
     std::vector<const FaceBox*> pointers;
     for (const FaceBox& box : boxes) pointers.push_back(&box);
-    size_t found = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
     const auto compare = [&](const FaceBox* a, const FaceBox* b) {
-        found += meetBeyondShared(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()]);
-        if (found >= most) throw EnoughFound();
+        if (meetBeyondShared(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()]))
+            found.push_back(std::minmax(a->info(), b->info()));
+        if (found.size() >= most) throw EnoughFound();
     };
     // Below this many boxes pairs are tried one by one; the value is that of
     // CGAL's own test for meshes.

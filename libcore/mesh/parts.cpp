@@ -124,6 +124,7 @@ std::vector<TriangleMesh> split(const TriangleMesh& mesh, const std::vector<std:
                 corners[k] = renamed[point];
             }
             parts[object].triangles.push_back(corners);
+            if (!mesh.normals.empty()) parts[object].normals.push_back(mesh.normals[face]);
         }
     return parts;
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 
 namespace eikonal::mesh {
@@ -57,6 +58,35 @@ PolygonSoup parse(const std::string& path, std::string_view bytes) {
     return parseStl(title, bytes);
 }
 
+/// A corner's normal, of length 1; 0 if it has none, or one that says nothing.
+glm::vec3 normalAt(const PolygonSoup& soup, size_t corner) {
+    const std::int64_t look = soup.looks[corner];
+    if (look < 0 || look >= static_cast<std::int64_t>(soup.normals.size())) return glm::vec3(0);
+    const glm::dvec3 normal = soup.normals[static_cast<size_t>(look)];
+    const double length = glm::length(normal);
+    return length > 0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0);
+}
+
+/// Appends a polygon's triangles with their corners' normals; `first` is the polygon's first
+/// corner.
+void addWithNormals(const PolygonSoup& soup, size_t first,
+                    const std::vector<std::uint32_t>& polygon, TriangleMesh& mesh) {
+    // Triangles of corners rather than points, so that each finds its normal.
+    std::vector<glm::dvec3> points;
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t point : polygon) {
+        numbers.push_back(static_cast<std::uint32_t>(points.size()));
+        points.push_back(soup.points[point]);
+    }
+    std::vector<glm::uvec3> triangles;
+    appendTriangles(points, numbers, triangles);
+    for (const glm::uvec3& t : triangles) {
+        mesh.triangles.emplace_back(polygon[t.x], polygon[t.y], polygon[t.z]);
+        mesh.normals.push_back({normalAt(soup, first + t.x), normalAt(soup, first + t.y),
+                                normalAt(soup, first + t.z)});
+    }
+}
+
 /// Appends a polygon's triangles.
 void addFace(const std::string& title, const PolygonSoup& soup, size_t face, TriangleMesh& mesh) {
     const auto pointCount = static_cast<std::int64_t>(soup.points.size());
@@ -72,7 +102,10 @@ void addFace(const std::string& title, const PolygonSoup& soup, size_t face, Tri
     if (polygon.size() < 3)
         throw DataError(title + ": face " + std::to_string(face + 1) + " has " +
                         std::to_string(polygon.size()) + " corners, expected at least 3");
-    appendTriangles(soup.points, polygon, mesh.triangles);
+    if (soup.looks.empty())
+        appendTriangles(soup.points, polygon, mesh.triangles);
+    else
+        addWithNormals(soup, soup.ends[face] - polygon.size(), polygon, mesh);
 }
 
 /// Numbers names in the order in which they come.

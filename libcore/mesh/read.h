@@ -12,8 +12,9 @@ namespace eikonal::mesh {
 /// Reads OBJ, PLY (ASCII and binary), OFF (ASCII) or STL (ASCII and binary), chosen by the
 /// extension in any case, or by the content where there is none of these: in a stream, which is
 /// "-" for standard input or any that base/input_file.h knows. Polygons and strips become
-/// triangles, identical points one; points that no face uses, normals, colours and textures are
-/// dropped. Coordinates are taken as world units.
+/// triangles, identical points one; points that no face uses, colours and textures are dropped.
+/// Corners have the normals that OBJ (vn) and PLY (nx, ny, nz) give them; one that is no direction,
+/// or that there is not, counts as none. Coordinates are taken as world units.
 /// Throws MissingError where there is no readable file; DataError, with the place and what was
 /// found and expected, for an unknown format, a file that does not follow its format, a coordinate
 /// that is no finite number, an index out of range, or no faces.

@@ -1,7 +1,11 @@
-// Wavefront OBJ: the lines `v`, `f`, `o` and `g`; all others are about looks and curves.
+// Wavefront OBJ: the lines `v`, `vn`, `f`, `o` and `g`; all others are about looks and curves. Nor
+// is `s` read, the smoothing of faces without normals: many write `s off` whatever they mean.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/formats.h"
 
+#include "base/text.h"
+
+#include <algorithm>
 #include <charconv>
 
 namespace eikonal::mesh {
@@ -18,6 +22,32 @@ std::int64_t cornerIndex(const FileText& text, size_t word, size_t pointsSoFar) 
     if (error != std::errc() || end != digits.data() + digits.size() || index == 0)
         text.fail(text.quoted(word), "the number of a point, counted from 1");
     return index > 0 ? index - 1 : static_cast<std::int64_t>(pointsSoFar) + index;
+}
+
+/// The normal behind a corner's second slash, counted likewise; -1: none that can be read.
+std::int64_t normalIndex(std::string_view item, size_t normalsSoFar) {
+    const size_t first = item.find('/');
+    const size_t second = first == std::string_view::npos ? first : item.find('/', first + 1);
+    if (second == std::string_view::npos) return -1;
+    const std::string_view digits = item.substr(second + 1);
+    std::int64_t index = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    if (error != std::errc() || end != digits.data() + digits.size() || index == 0) return -1;
+    if (index > 0) return index - 1;
+    // So that what is far before the first does not become one.
+    return std::max<std::int64_t>(index, -1 - static_cast<std::int64_t>(normalsSoFar)) +
+           static_cast<std::int64_t>(normalsSoFar);
+}
+
+/// A line `vn`; 0 where a number is missing or bad, so that the others keep their places.
+glm::vec3 normalOn(const std::vector<std::string_view>& words) {
+    glm::vec3 normal(0);
+    for (size_t k = 0; k < 3; ++k) {
+        const auto number = k + 1 < words.size() ? parseNumber(words[k + 1]) : std::nullopt;
+        if (!number) return glm::vec3(0);
+        normal[static_cast<int>(k)] = static_cast<float>(*number);
+    }
+    return normal;
 }
 
 /// What stands behind the keyword, words apart by one blank.
@@ -40,13 +70,18 @@ PolygonSoup parseObj(const std::string& path, std::string_view bytes) {
         if (words[0] == "v") {
             soup.points.push_back(text.point(1));
         } else if (words[0] == "f") {
-            for (size_t i = 1; i < words.size(); ++i)
+            for (size_t i = 1; i < words.size(); ++i) {
                 soup.corners.push_back(cornerIndex(text, i, soup.points.size()));
+                soup.looks.push_back(normalIndex(words[i], soup.normals.size()));
+            }
             soup.endPolygon();
+        } else if (words[0] == "vn") {
+            soup.normals.push_back(normalOn(words));
         } else if (words[0] == "o" || words[0] == "g") {
             soup.labels.push_back({nameBehind(words), soup.ends.size(), words[0] == "o"});
         }
     }
+    if (soup.normals.empty()) soup.looks.clear();
     return soup;
 }
 

@@ -8,6 +8,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <optional>
 
 namespace eikonal::mesh {
 
@@ -150,6 +152,13 @@ public:
         mRest.remove_prefix(static_cast<size_t>(bytes));
     }
 
+    /// A number that is of interest only if it is one.
+    float nextOrNaN(Type type) {
+        const auto number =
+            mForm == Form::ascii ? parseNumber(takeWord()) : std::optional<double>(next(type));
+        return number ? static_cast<float>(*number) : std::numeric_limits<float>::quiet_NaN();
+    }
+
     /// How many numbers a property has.
     double countOf(const Property& property) {
         if (property.countType == Type::none) return 1;
@@ -221,10 +230,29 @@ int axisOf(const Property& property) {
     return name >= 'x' && name <= 'z' ? name - 'x' : -1;
 }
 
-void readVertex(Values& values, const Element& element, PolygonSoup& soup) {
+/// The same of the normal's: nx, ny, nz.
+int normalAxisOf(const Property& property) {
+    if (property.countType != Type::none || property.name.size() != 2) return -1;
+    const char name = property.name[1];
+    return property.name[0] == 'n' && name >= 'x' && name <= 'z' ? name - 'x' : -1;
+}
+
+bool hasNormals(const Element& element) {
+    bool axes[3] = {};
+    for (const Property& property : element.properties)
+        if (const int axis = normalAxisOf(property); axis >= 0) axes[axis] = true;
+    return axes[0] && axes[1] && axes[2];
+}
+
+void readVertex(Values& values, const Element& element, bool normals, PolygonSoup& soup) {
     glm::dvec3 point(0);
+    glm::vec3 normal(0);
     for (const Property& property : element.properties) {
-        const int axis = axisOf(property);
+        const int axis = axisOf(property), normalAxis = normals ? normalAxisOf(property) : -1;
+        if (normalAxis >= 0) {
+            normal[normalAxis] = values.nextOrNaN(property.type);
+            continue;
+        }
         if (axis < 0) {
             values.skip(property.type, values.countOf(property));
             continue;
@@ -234,6 +262,9 @@ void readVertex(Values& values, const Element& element, PolygonSoup& soup) {
             values.fail("a coordinate that is no number", "a finite one");
     }
     soup.points.push_back(point);
+    if (!normals) return;
+    soup.normals.resize(soup.points.size());
+    soup.normals.back() = normal;
 }
 
 bool isCorners(const Property& property) {
@@ -313,7 +344,7 @@ PolygonSoup parsePly(const std::string& path, std::string_view bytes) {
         for (std::int64_t i = 0; i < element.count; ++i) {
             values.enter(element.name, i);
             if (element.name == "vertex")
-                readVertex(values, element, soup);
+                readVertex(values, element, hasNormals(element), soup);
             else if (element.name == "face")
                 readFace(values, element, soup);
             else if (isStrips(element))
@@ -322,6 +353,7 @@ PolygonSoup parsePly(const std::string& path, std::string_view bytes) {
                 skipElement(values, element);
         }
     }
+    if (!soup.normals.empty()) soup.looks = soup.corners; // a normal for each point
     return soup;
 }
 

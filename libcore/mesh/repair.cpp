@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <set>
 
 namespace eikonal::mesh {
@@ -40,19 +41,23 @@ void say(std::vector<std::string>& actions, size_t count, const std::string& ver
 /// Drops the faces that are no triangles or were there before.
 void dropIdleFaces(TriangleMesh& mesh, std::vector<std::string>& actions) {
     std::set<std::array<std::uint32_t, 3>> seen;
-    std::vector<glm::uvec3> kept;
+    TriangleMesh kept;
     size_t degenerate = 0, duplicate = 0;
-    for (const glm::uvec3& face : mesh.triangles) {
+    for (size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const glm::uvec3& face = mesh.triangles[f];
         std::array<std::uint32_t, 3> key = {face.x, face.y, face.z};
         std::sort(key.begin(), key.end());
         if (hasRepeatedCorner(face))
             ++degenerate;
         else if (!seen.insert(key).second)
             ++duplicate;
-        else
-            kept.push_back(face);
+        else {
+            kept.triangles.push_back(face);
+            if (!mesh.normals.empty()) kept.normals.push_back(mesh.normals[f]);
+        }
     }
-    mesh.triangles = std::move(kept);
+    mesh.triangles = std::move(kept.triangles);
+    mesh.normals = std::move(kept.normals);
     say(actions, degenerate, "dropped", "triangle", " with a repeated corner");
     say(actions, duplicate, "dropped", "triangle", " given twice");
 }
@@ -237,6 +242,53 @@ std::string lossOf(const Figures& before, const Figures& after, const Sheets& sh
     return "";
 }
 
+/// A mesh's normals by where its faces' corners are, for faces that others made anew.
+class NormalsByPlace {
+public:
+    explicit NormalsByPlace(const TriangleMesh& mesh) {
+        for (size_t f = 0; f < mesh.normals.size(); ++f) {
+            const Corners corners = cornersOf(mesh, f);
+            for (size_t k = 0; k < 3; ++k)
+                mNormals[keyOf(corners)].push_back({corners[k], mesh.normals[f][k]});
+        }
+    }
+    /// Gives the mesh what is known; filled holes have none.
+    void giveTo(TriangleMesh& mesh) const {
+        if (mNormals.empty()) return;
+        mesh.normals.assign(mesh.triangles.size(), CornerNormals{});
+        for (size_t f = 0; f < mesh.triangles.size(); ++f) {
+            const Corners corners = cornersOf(mesh, f);
+            const auto found = mNormals.find(keyOf(corners));
+            if (found == mNormals.end()) continue;
+            for (size_t k = 0; k < 3; ++k)
+                for (const auto& [place, normal] : found->second)
+                    if (place == corners[k]) mesh.normals[f][k] = normal;
+        }
+    }
+
+private:
+    using Corners = std::array<std::array<double, 3>, 3>;
+
+    static Corners cornersOf(const TriangleMesh& mesh, size_t face) {
+        Corners corners;
+        for (size_t k = 0; k < 3; ++k) {
+            const glm::dvec3& p = mesh.points[mesh.triangles[face][static_cast<int>(k)]];
+            corners[k] = {p.x, p.y, p.z};
+        }
+        return corners;
+    }
+    static Corners keyOf(Corners corners) {
+        std::sort(corners.begin(), corners.end());
+        return corners;
+    }
+
+    struct Placed {
+        std::array<double, 3> place;
+        glm::vec3 normal;
+    };
+    std::map<Corners, std::vector<Placed>> mNormals;
+};
+
 } // namespace
 
 RepairResult repairMesh(const TriangleMesh& mesh) {
@@ -251,6 +303,7 @@ RepairResult repairMesh(const TriangleMesh& mesh) {
     if (result.mesh.triangles.empty()) return result;
     const Figures before(result.mesh);
     weld(result.mesh, result.actions);
+    const NormalsByPlace normals(result.mesh);
     size_t turned = 0;
     Surface surface = orientedSurface(result.mesh, result.actions, turned);
     const size_t firstAdded = surface.number_of_faces();
@@ -264,6 +317,7 @@ RepairResult repairMesh(const TriangleMesh& mesh) {
     // Points stay apart where the surface was cut: merged they would join the sheets again.
     dropUnusedPoints(result.mesh);
     if (!checkTopology(result.mesh).outward) turned += turnOutward(result.mesh, result.actions);
+    normals.giveTo(result.mesh);
     result.loss = lossOf(before, Figures(result.mesh), sheets, added, turned > 0);
     return result;
 }

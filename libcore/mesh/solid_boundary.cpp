@@ -58,7 +58,15 @@ public:
         : mMesh(mesh), mTree(mesh), mPiece(piece), mSkin(1e-5 * piece) {}
 
     TriangleMesh run() {
-        for (const glm::uvec3& face : mMesh.triangles) take(cornersOf(face), face);
+        for (size_t f = 0; f < mMesh.triangles.size(); ++f) {
+            const glm::uvec3& face = mMesh.triangles[f];
+            const size_t before = mKept.triangles.size();
+            take(cornersOf(face), face);
+            if (mMesh.normals.empty()) continue;
+            mKept.normals.resize(mKept.triangles.size());
+            // A whole face stays as it is curved; pieces are flat.
+            if (mWhole && mKept.triangles.size() > before) mKept.normals.back() = mMesh.normals[f];
+        }
         return std::move(mKept);
     }
 
@@ -87,6 +95,7 @@ private:
             longest = std::max(longest, glm::distance(piece[k], piece[(k + 1) % 3]));
         }
         if (longest <= mPiece || !isDivided(middle, radius, piece, face)) {
+            mWhole = piece == cornersOf(face);
             if (bounds(middle, piece)) keep(piece);
             return;
         }
@@ -115,6 +124,7 @@ private:
     TriangleTree mTree;
     double mPiece, mSkin; // [unit]
     std::vector<std::uint32_t> mNear;
+    bool mWhole = false; // the last piece was its whole face
     TriangleMesh mKept;
 };
 

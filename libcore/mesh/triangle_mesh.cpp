@@ -124,6 +124,11 @@ size_t mergeIdenticalPoints(TriangleMesh& mesh) {
 void append(TriangleMesh& mesh, const TriangleMesh& other) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+    if (!mesh.normals.empty() || !other.normals.empty()) {
+        mesh.normals.resize(mesh.triangles.size());
+        mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
+        mesh.normals.resize(mesh.triangles.size() + other.triangles.size());
+    }
     for (const glm::uvec3& face : other.triangles) mesh.triangles.push_back(face + first);
 }
 

@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
 namespace eikonal::mesh {
 
+/// Where the surface looks at a face's three corners: directions of length 1, or 0 where none is
+/// known.
+using CornerNormals = std::array<glm::vec3, 3>;
+
 /// A triangle soup with shared corners. Seen from outside, a face's corners run anticlockwise.
 struct TriangleMesh {
-    std::vector<glm::dvec3> points;    ///< world space [unit]
-    std::vector<glm::uvec3> triangles; ///< three indices into `points`
+    std::vector<glm::dvec3> points;       ///< world space [unit]
+    std::vector<glm::uvec3> triangles;    ///< three indices into `points`
+    std::vector<CornerNormals> normals{}; ///< one for each triangle, or none at all
 };
 
 /// An axis-aligned box in world space [unit]. Empty while `min` exceeds `max`.

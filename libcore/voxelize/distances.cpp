@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxelize/distances.h"
 
+#include "mesh/curved_face.h"
 #include "mesh/shells.h"
 #include "mesh/solid_boundary.h"
 #include "mesh/triangle_tree.h"
@@ -28,7 +29,7 @@ constexpr int kListed = 4;          // of what has a list of faces of its own
 
 /// The mesh in index space [voxel], where voxel i's middle is at i.
 mesh::TriangleMesh inVoxels(const mesh::TriangleMesh& mesh, const Lattice& lattice) {
-    mesh::TriangleMesh out{{}, mesh.triangles};
+    mesh::TriangleMesh out{{}, mesh.triangles, mesh.normals};
     out.points.reserve(mesh.points.size());
     for (const dvec3& point : mesh.points)
         out.points.push_back((point - lattice.low) / lattice.voxelSize - 0.5);
@@ -53,6 +54,7 @@ public:
         for (const glm::uvec3& face : boundary.triangles)
             mFaces.emplace_back(boundary.points[face.x], boundary.points[face.y],
                                 boundary.points[face.z]);
+        if (!boundary.normals.empty()) bend(boundary);
     }
 
     volume::BrickGrid measure() const {
@@ -70,8 +72,9 @@ public:
 private:
     struct Face {
         dvec3 a, b, c, middle;
-        dvec3 normal{0}; // of length 1; of a sliver, whose is not exact, 0
-        double radius;   // of a disc about the middle that holds it
+        dvec3 normal{0};  // of length 1; of a sliver, whose is not exact, 0
+        double radius;    // of a disc about the middle that holds it
+        double bulge = 0; // how far the curved face may be off it
 
         Face(const dvec3& first, const dvec3& second, const dvec3& third)
             : a(first), b(second), c(third), middle((a + b + c) / 3.0),
@@ -100,6 +103,19 @@ private:
         std::vector<float> values;
     };
 
+    /// Takes the curved faces of a mesh with normals.
+    void bend(const mesh::TriangleMesh& boundary) {
+        constexpr double kFlat = 1e-6; // what floats keep of distances
+        const auto curves = mesh::edgeCurves(boundary);
+        for (size_t f = 0; f < mFaces.size(); ++f) {
+            Face& face = mFaces[f];
+            mCurved.emplace_back(std::array{face.a, face.b, face.c}, curves[f]);
+            if (mCurved.back().bulge() < kFlat) continue;
+            face.bulge = mCurved.back().bulge();
+            mBulge = std::max(mBulge, face.bulge);
+        }
+    }
+
     void measureBlock(const ivec3& low, Bricks& found) const {
         Faces lists[3];
         descend(low, kBlock, mesh::TriangleTree::kNone, lists, found);
@@ -111,12 +127,14 @@ private:
                  Bricks& found) const {
         if (glm::any(glm::greaterThanEqual(low, mSize))) return;
         const dvec3 middle = dvec3(low) + (edge - 1) / 2.0;
-        const double toCorner = std::sqrt(3.0) * (edge - 1) / 2, reach = mHalfWidth + toCorner;
+        const double toCorner = std::sqrt(3.0) * (edge - 1) / 2,
+                     reach = mHalfWidth + toCorner + mBulge;
         const auto nearest = mTree.nearest(middle, reach * reach, hint);
         if (nearest.face == mesh::TriangleTree::kNone) return;
         if (edge == volume::kBrick) begin(low, found);
         if (edge == kListed) {
-            mTree.within(middle, std::sqrt(nearest.squared) + 2 * toCorner + kRounding, lists[0]);
+            mTree.within(middle, std::sqrt(nearest.squared) + 2 * (toCorner + mBulge) + kRounding,
+                         lists[0]);
             return measure(low, edge, lists, found);
         }
         for (int i = 0; i < 8; ++i)
@@ -127,13 +145,14 @@ private:
     /// The same with the faces that may be nearest to any of its points, in the first of the lists.
     void measure(const ivec3& low, int edge, Faces* lists, Bricks& found) const {
         if (glm::any(glm::greaterThanEqual(low, mSize))) return;
+        if (edge == 1 && mBulge > 0) return storeCurved(low, lists[0], found);
         const dvec3 middle = dvec3(low) + (edge - 1) / 2.0;
         const double toCorner = std::sqrt(3.0) * (edge - 1) / 2;
         const double squared = nearestOf(middle, lists[0]), distance = std::sqrt(squared);
-        if (distance > mHalfWidth + toCorner) return;
-        if (edge == 1) return store(low, static_cast<float>(distance * mVoxelSize), found);
+        if (distance > mHalfWidth + toCorner + mBulge) return;
+        if (edge == 1) return store(low, distance, found);
         Faces* const own = lists + 1;
-        keepNear(middle, distance + 2 * toCorner + kRounding, lists[0], *own);
+        keepNear(middle, distance + 2 * (toCorner + mBulge) + kRounding, lists[0], *own);
         for (int i = 0; i < 8; ++i)
             measure(low + edge / 2 * ivec3(i & 1, i >> 1 & 1, i >> 2), edge / 2, own, found);
     }
@@ -172,11 +191,48 @@ private:
                                            signOf(glm::min(low + ivec3(x, y, z), mSize - 1)));
     }
 
-    void store(const ivec3& voxel, float distance, Bricks& found) const {
+    /// The distance from x to the nearest curved face, which is one of those, and on which side of
+    /// it x is.
+    mesh::CurvedFace::Nearest nearestCurved(const dvec3& x, const Faces& faces) const {
+        mesh::CurvedFace::Nearest best{std::numeric_limits<double>::max(), 0};
+        double distance = std::sqrt(best.squared);
+        for (const std::uint32_t f : faces) {
+            const Face& face = mFaces[f];
+            const double reach = distance + face.bulge + kRounding;
+            if (face.least(x) > reach * reach) continue;
+            if (mesh::squaredDistance(x, face.a, face.b, face.c) > reach * reach) continue;
+            const auto own = mCurved[f].nearest(x);
+            const double apart = std::sqrt(own.squared) - distance;
+            // Of two faces at whose edge the nearest point lies the one that x is more before or
+            // behind tells the side.
+            if (apart > kRounding ||
+                (apart > -kRounding && std::abs(own.height) <= std::abs(best.height)))
+                continue;
+            best = own;
+            distance = std::sqrt(best.squared);
+        }
+        return best;
+    }
+
+    void storeCurved(const ivec3& voxel, const Faces& faces, Bricks& found) const {
+        const auto nearest = nearestCurved(dvec3(voxel), faces);
+        const double distance = std::sqrt(nearest.squared);
+        store(voxel, distance, found);
+        // Columns counted the flat faces: between those and the curved ones they are wrong.
+        if (distance > 2 * mBulge) return;
+        float& value = valueAt(voxel, found);
+        value = std::copysign(value, static_cast<float>(nearest.height));
+    }
+
+    void store(const ivec3& voxel, double distance, Bricks& found) const {
+        float& value = valueAt(voxel, found);
+        value = std::copysign(std::min(static_cast<float>(distance * mVoxelSize), mFar), value);
+    }
+
+    float& valueAt(const ivec3& voxel, Bricks& found) const {
         const ivec3 p = voxel - found.low.back();
-        float& value = found.values[found.values.size() - volume::kBrickVoxels +
-                                    static_cast<size_t>((p.z * 8 + p.y) * 8 + p.x)];
-        value = std::copysign(std::min(distance, mFar), value);
+        return found.values[found.values.size() - volume::kBrickVoxels +
+                            static_cast<size_t>((p.z * 8 + p.y) * 8 + p.x)];
     }
 
     volume::BrickGrid gathered(const std::vector<Bricks>& blocks) const {
@@ -198,6 +254,8 @@ private:
 
     mesh::TriangleTree mTree;
     std::vector<Face> mFaces;
+    std::vector<mesh::CurvedFace> mCurved; // of a mesh with normals
+    double mBulge = 0;                     // the greatest of the faces'
     const Sides& mSides;
     ivec3 mSize;
     double mHalfWidth, mVoxelSize;
@@ -211,7 +269,10 @@ volume::BrickGrid signedDistances(const mesh::TriangleMesh& mesh, const Lattice&
     mesh::TriangleMesh surface = inVoxels(mesh, lattice);
     const Sides sides(surface, lattice.size);
     // Columns may miss that shells overlap by less than a voxel.
-    if (sides.overlaps() || !isOneShell(surface)) surface = mesh::solidBoundary(surface, kPiece);
+    if (sides.overlaps() || !isOneShell(surface)) {
+        surface = mesh::solidBoundary(surface, kPiece);
+        mesh::mergeIdenticalPoints(surface); // curves need to know which faces share an edge
+    }
     return Band(surface, sides, lattice, halfWidth).measure();
 }
 

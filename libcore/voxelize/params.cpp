@@ -127,6 +127,8 @@ void Params::check() const {
     if (bounds) checkBounds(*bounds);
     // A cubic spline of distances looks two voxels far, from places up to two off the boundary.
     require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");
+    // From 90° on a box would be a ball.
+    require(smooth >= 0 && smooth < 90, "--smooth", toText(smooth), "0 or more, and less than 90");
     if (sharp) checkNames(objects);
 }
 

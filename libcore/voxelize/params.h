@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/smooth_surface.h"
 #include "mesh/triangle_mesh.h"
 #include "volume/volume.h"
 
@@ -44,6 +45,8 @@ struct Params {
     int supersample = 4;             ///< samples along a voxel's edge: 1, 2, 4 or 8
     bool sharp = true;               ///< each object's level set and own values are written, too
     double sdfBand = 6;              ///< half width of the level sets [voxel]
+    double smooth =
+        mesh::kUsualSmooth; ///< facets that meet at no more are curved; 0: none [degree]
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;

@@ -184,6 +184,10 @@ std::optional<double> thinnestWallVoxels(const Plan& plan) {
     return least;
 }
 
+double voxelSizeOf(const Params& params) {
+    return latticeOf(params).voxelSize;
+}
+
 Plan makePlan(const Params& params) {
     Plan plan;
     plan.lattice = latticeOf(params);

@@ -36,6 +36,9 @@ std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan
 /// The thinnest wall over all objects [voxel], if there is one.
 std::optional<double> thinnestWallVoxels(const Plan& plan);
 
+/// The edge of the voxels of these meshes' lattice [unit]. Throws as makePlan() does.
+double voxelSizeOf(const Params& params);
+
 /// Lays the lattice around the objects' meshes and picks the grids. Throws UsageError if the
 /// options make too many voxels of these meshes, MemoryError if the host can't hold them.
 Plan makePlan(const Params& params);

@@ -3,8 +3,9 @@
 #include "ball.h"
 
 #include "judge/snell.h"
-#include "support/shapes.h"
 #include "smooth/smooth.h"
+#include "support/shapes.h"
+#include "voxelize/curve.h"
 #include "voxelize/voxelize.h"
 
 #include <cmath>
@@ -32,6 +33,7 @@ volume::Volume voxelised(Bench& bench, const Ball& ball, int voxels, int supersa
     params.supersample = supersample;
     params.sharp = sharp;
     params.check();
+    voxelize::curveObjects(params, stats);
     return voxelize::voxelize(bench.device, params, voxelize::makePlan(params), stats).volume;
 }
 

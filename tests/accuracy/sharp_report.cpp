@@ -142,8 +142,8 @@ std::string sharpSection(const std::vector<Json>& rows) {
            "what `--supersample 8` counts whose rays, traced well, are off by the least at "
            "half the radius, drawn by the cheapest tracing that comes within 5 % of the "
            "least error of any. The cheapest blurred way is listed for its time. Sharp: "
-           "distances of the formula, or where it says so of a mesh of 327,680 facets, "
-           "through `mesh2vol`.\n\n";
+           "distances of the formula, or where it says so of a mesh of 327,680 facets, curved "
+           "as `mesh2vol` does.\n\n";
     head(out, {"voxels", "edge, tracing", "error at half", "at the rim", "time [ms]", "to sources'",
                "to cheapest blurred"});
     for (const Json& row : partOf(rows, "sharp")) {
@@ -158,8 +158,7 @@ std::string sharpSection(const std::vector<Json>& rows) {
         add("sharp, all branches to depth 8", ways.all);
         if (!ways.mesh.is_null()) add("sharp, refraction alone, a mesh's distances", ways.mesh);
     }
-    out << "\nOf a mesh it is the facets that are seen, the better the more voxels there are. "
-           "Of the formula from 128³ on hardly more than roundings are.\n"
+    out << "\nFrom 128³ on hardly more than roundings are seen, of the formula and of the mesh.\n"
         << "\n![Error against time of a ball of glass](accuracy/sharp.svg)\n\n"
         << "Traced well (verlet, cubic, steps of half a voxel), a blurred edge by its width, at "
            "half "

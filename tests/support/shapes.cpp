@@ -97,6 +97,28 @@ TriangleMesh uvSphere(double radius, size_t triangleCount) {
     return mesh;
 }
 
+TriangleMesh turned(const std::vector<glm::dvec2>& profile, int steps, bool ring) {
+    TriangleMesh mesh;
+    const auto at = [&](size_t i, int step) {
+        const double angle = glm::two_pi<double>() * (step % steps) / steps;
+        const glm::dvec2& p = profile[i % profile.size()];
+        return glm::dvec3(p.x * std::sin(angle), p.y, p.x * std::cos(angle));
+    };
+    const size_t rows = ring ? profile.size() : profile.size() - 1;
+    for (size_t i = 0; i < rows; ++i)
+        for (int step = 0; step < steps; ++step) {
+            const auto first = static_cast<std::uint32_t>(mesh.points.size());
+            for (const auto& [row, k] :
+                 {std::pair{i, step}, {i, step + 1}, {i + 1, step + 1}, {i + 1, step}})
+                mesh.points.push_back(at(row, k));
+            if (profile[i].x > 0) mesh.triangles.emplace_back(first, first + 1, first + 2);
+            if (profile[(i + 1) % profile.size()].x > 0)
+                mesh.triangles.emplace_back(first, first + 2, first + 3);
+        }
+    mergeIdenticalPoints(mesh);
+    return mesh;
+}
+
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
     TriangleMesh both = a;
     const glm::uvec3 offset(static_cast<std::uint32_t>(a.points.size()));

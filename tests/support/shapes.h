@@ -17,6 +17,11 @@ TriangleMesh icosphere(double radius, int subdivisions);
 /// least 12), its corners on the sphere of that radius [unit].
 TriangleMesh uvSphere(double radius, size_t triangleCount);
 
+/// A profile (distance from the y axis, y) turned round that axis, in so many steps [unit]. Outward
+/// where the profile runs upward outside: from a pole or from any point of a ring, back to which it
+/// runs. Points on the axis are poles.
+TriangleMesh turned(const std::vector<glm::dvec2>& profile, int steps, bool ring);
+
 /// Both meshes in one, as two sets of points.
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 

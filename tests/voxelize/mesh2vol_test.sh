@@ -108,6 +108,7 @@ test_bad_values() {
     rejects --supersample 0 3 16 x
     rejects --bounds 0,0,0,1,1 0,0,0,1,1,0 1,0,0,0,1,1 a,b,c,d,e,f nan,0,0,1,1,1
     rejects --sdf-band 0 -1 3.9 1000 nan
+    rejects --smooth -1 90 nan x
 }
 
 test_bad_input() {
@@ -192,6 +193,33 @@ test_a_cavity_that_is_none() {
     awk '/^f/ && ++n > 6 {print "f", $5, $4, $3, $2; next} {print}' solid.obj >hollow.obj
     makes hollow.vdb hollow.obj $small
     grep -q "looks outward" stderr && fail "a cavity is told of"
+}
+
+# counted NAME: a counter of stats.json.
+counted() { tr -d ' \n' <stats.json | grep -o "\"$1\":[0-9]*" | cut -d: -f2; }
+
+# smoothed COMPARISON OPTIONS...: how many triangles of a cylinder of 24 sides there are in the end.
+smoothed() {
+    local comparison=$1
+    shift
+    makes smooth.vdb cylinder.obj --ior 1.5 --resolution 64 --stats stats.json "$@"
+    [ "$(counted triangles_read)" -eq 92 ] || fail "not 92 triangles were read"
+    [ "$(counted triangles)" "$comparison" 92 ] || fail "$* made $(counted triangles) triangles"
+}
+
+test_smooth() {
+    awk 'BEGIN { for (i = 0; i < 48; ++i)
+            print "v", cos(i % 24 * 3.14159265 / 12), int(i / 24), sin(i % 24 * 3.14159265 / 12)
+        printf "f"; for (i = 1; i <= 24; ++i) printf " %d", i; print ""
+        printf "f"; for (i = 48; i > 24; --i) printf " %d", i; print ""
+        for (i = 0; i < 24; ++i) { j = (i + 1) % 24; print "f", i + 1, i + 25, j + 25, j + 1 } }' \
+        >cylinder.obj
+    smoothed -gt
+    smoothed -gt --smooth 16
+    smoothed -eq --smooth 14 # its sides meet at 15 degrees
+    smoothed -eq --smooth 0
+    makes flat.vdb box.obj $small --stats stats.json
+    [ "$(counted triangles)" -eq 12 ] || fail "a box has $(counted triangles) triangles"
 }
 
 test_stats() {

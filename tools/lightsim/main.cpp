@@ -6,6 +6,7 @@
 #include "lightsim/lightsim.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
+#include "mesh/smooth_surface.h"
 #include "scene/effects.h"
 
 using namespace eikonal;
@@ -76,8 +77,10 @@ void addOptions(tool::Session& session, Options& o) {
     session.acceptOldName(second, "--tolerance2",
                           ", and the octree's other one --octree-tolerance: --tolerance is the "
                           "error of a photon's exit");
-    app.add_option("--proxy", o.proxy,
-                   "closed mesh on which photons start, not on the domain's box")
+    app.add_option(
+           "--proxy", o.proxy,
+           "closed mesh on which photons start, not on the domain's box; curved as mesh2vol "
+           "--smooth does by default")
         ->type_name("MESH");
     app.add_option("--dump-octree", o.octree,
                    "write the octree that photons step by: grids octree_level, octree_step [voxel]")
@@ -100,18 +103,27 @@ lightsim::Output parseOutputs(const std::string& list) {
     return static_cast<lightsim::Output>(outputs);
 }
 
-/// The proxy's triangles. Photons start where light first meets it, so it must be closed and
-/// outward, and no light may be inside.
-lightsim::Triangles readProxy(const std::string& path, const lightsim::Params& params) {
+/// The proxy. Photons start where light first meets it, so it must be closed and outward.
+mesh::TriangleMesh readProxy(const std::string& path) {
     const mesh::TriangleMesh mesh = mesh::readMesh(path);
     const mesh::MeshReport report = mesh::checkTopology(mesh);
     if (!report.boundsVolume())
         throw DataError(path + ": " + join(report.sentences(), "; ") +
                         "; expected a closed surface that looks outward");
-    for (const lightsim::Light& light : params.lights)
+    return mesh;
+}
+
+/// A proxy's triangles, curved as mesh2vol does by default: an object's own mesh then holds all of
+/// the object, and its outline is the object's. No light may be inside.
+lightsim::Triangles curvedProxy(const mesh::TriangleMesh& flat, double voxelSize,
+                                const Options& o) {
+    mesh::SmoothCounts counts;
+    const mesh::TriangleMesh mesh = mesh::curved(flat, mesh::findFans(flat, mesh::kUsualSmooth),
+                                                 mesh::kSagitta * voxelSize, counts);
+    for (const lightsim::Light& light : o.params.lights)
         if (light.kind == lightsim::Light::Kind::point &&
             mesh::windingNumber(mesh, light.vector) > 0.5)
-            throw UsageError("--proxy: a point light is inside " + path + ", expected outside");
+            throw UsageError("--proxy: a point light is inside " + o.proxy + ", expected outside");
     lightsim::Triangles corners;
     for (const glm::uvec3& triangle : mesh.triangles)
         for (int i = 0; i < 3; ++i) corners.push_back(mesh.points[triangle[i]]);
@@ -140,12 +152,14 @@ void simulate(tool::Session& session, Options& o) {
         o.params.octreeTolerance2 = std::max(o.params.octreeTolerance2, o.params.octreeTolerance);
     o.params.check();
     session.guardInputs({o.input, o.proxy}, {o.octree});
-    if (!o.proxy.empty()) o.params.proxy = readProxy(o.proxy, o.params);
+    std::optional<mesh::TriangleMesh> proxy;
+    if (!o.proxy.empty()) proxy = readProxy(o.proxy);
 
     std::optional<volume::Volume> volume;
     std::optional<lightsim::Plan> plan;
     session.pass("read", [&] {
         volume.emplace(volume::Volume::open(o.input, o.names));
+        if (proxy) o.params.proxy = curvedProxy(*proxy, volume->frame().voxelSize, o);
         plan = lightsim::makePlan(*volume, o.params);
     });
     if (session.explains()) {

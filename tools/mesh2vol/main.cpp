@@ -5,6 +5,7 @@
 #include "mesh/read.h"
 #include "mesh2vol/objects.h"
 #include "voxelize/accept.h"
+#include "voxelize/curve.h"
 #include "voxelize/voxelize.h"
 
 #include <algorithm>
@@ -88,6 +89,12 @@ void explain(const tool::Session& session, const voxelize::Params& params,
     session.explain(plan.effects, voxelize::thinWallWarnings(params, plan), facts);
 }
 
+std::string trianglesOf(const voxelize::Params& params) {
+    size_t triangles = 0;
+    for (const voxelize::Object& object : params.objects) triangles += object.mesh.triangles.size();
+    return std::to_string(triangles);
+}
+
 /// lightsim holds a float a voxel in one buffer: more than fits is told before it is lit.
 void warnOfLightsim(tool::Session& session, const volume::Volume& volume) {
     const std::int64_t most = session.device().limits().storageBufferBytes / 4;
@@ -118,6 +125,11 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
         session.warn(std::to_string(params.objects.size()) + " objects: lightsim and render take " +
                      std::to_string(voxelize::mostSharpObjects()) +
                      " with sharp boundaries, any number with --boundary blurred");
+    session.pass("smooth", [&] {
+        for (const std::string& warning : voxelize::curveObjects(params, session.stats()))
+            session.warn(warning);
+    });
+    objects.facts.emplace_back("triangles, curved by --smooth", trianglesOf(params));
     voxelize::Plan plan;
     session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {

@@ -126,6 +126,12 @@ inline void addOptions(CLI::App& app, Options& o) {
                  "where needed join points within 1e-5 of the mesh's diagonal, close holes and "
                  "turn faces outward; a mesh that this would make another object is refused")
         ->group(group);
+    app.add_option("--smooth", p.smooth,
+                   "facets that meet at no more than so many degrees are curved, by the normals of "
+                   "OBJ and PLY where they fit, and refined to a twentieth of a voxel; 0: none")
+        ->type_name("DEG")
+        ->capture_default_str()
+        ->group(group);
     app.add_option("--boundary", o.boundary,
                    "sharp: also write each object's signed distance (sdf, or sdf.NAME of several) "
                    "and its values unmixed (ior.NAME ...), so that rays refract at the boundary "
