@@ -1,5 +1,5 @@
-eikonal_room(scene SOURCES bias.cpp boundaries.cpp clearance.cpp distance_atlas.cpp effects.cpp
-                           field.cpp files.cpp index.cpp objects.cpp padded.cpp regions.cpp samples.cpp
+eikonal_room(scene SOURCES bias.cpp block_table.cpp boundaries.cpp clearance.cpp distance_atlas.cpp effects.cpp
+                           field.cpp files.cpp index.cpp objects.cpp object_sets.cpp padded.cpp regions.cpp samples.cpp
                            scene.cpp transport.cpp
              SYSTEM_INCLUDES ${PROJECT_SOURCE_DIR}/shaders)
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/scene/bias.cpp

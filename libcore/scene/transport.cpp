@@ -23,6 +23,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
             {"OBJECTS", static_cast<int>(scene.objects.size())},
+            {"NEAR", scene.sharp && areMany(scene.objects) ? mostNear(scene.objects) : 0},
             {"PACKED", scene.sharp && isPacked(scene.objects)},
             {"VARIES", scene.sharp && scene.varyingRegions() > 0},
             {"OPAQUE", scene.anyOpaque()}};

@@ -93,6 +93,14 @@ int mostSharpObjects() {
     return kMostObjects;
 }
 
+void requireSharpCount(size_t objects) {
+    const auto most = static_cast<size_t>(mostSharpObjects());
+    if (objects > most)
+        throw UsageError("MESH: found " + std::to_string(objects) + " objects, expected at most " +
+                         std::to_string(most) +
+                         " with sharp boundaries (--boundary blurred takes any number)");
+}
+
 void refuseCount(const std::string& option, size_t given, const Place& place) {
     std::string wanted = "once";
     if (place.files > 1)
@@ -127,7 +135,9 @@ void Params::check() const {
     if (bounds) checkBounds(*bounds);
     // A cubic spline of distances looks two voxels far, from places up to two off the boundary.
     require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");
-    if (sharp) checkNames(objects);
+    if (!sharp) return;
+    requireSharpCount(objects.size());
+    checkNames(objects);
 }
 
 } // namespace eikonal::voxelize

@@ -39,6 +39,7 @@ std::vector<Owned> sharpViewBindings() {
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
             {"environment map", of({}, {}, {kEnvironmentUnit})},
             {"several objects", of({}, {}, {kNearbyUnit})},
+            {"many objects", of({}, {}, {kSetsUnit})},
             {"opaque object", of({}, {}, {kDirectionUnit, kFluenceUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
@@ -63,7 +64,8 @@ std::vector<Owned> sharpPhotonBindings() {
             {"colour", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2}, {})},
             {"direction", of({}, {kPlanesBuffer + 1, kPlanesBuffer + 2, kPlanesBuffer + 3}, {})},
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
-            {"several objects", of({}, {}, {kNearbyUnit})}};
+            {"several objects", of({}, {}, {kNearbyUnit})},
+            {"many objects", of({}, {kObjectsBuffer}, {kSetsUnit})}};
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 # Sharp boundaries against the judge: a truth that shares no code with what it holds.
 eikonal_test(test_sharp SOURCES sharp/ball_test.cpp sharp/fine_test.cpp sharp/flat_test.cpp sharp/graded_test.cpp
-             sharp/objects_test.cpp sharp/unlit_test.cpp sharp/fluence_test.cpp sharp/fluence.cpp
-             LIBRARIES test_support LONG "SharpFine.Packed*" "SharpGraded.*" "SharpBall.FirstFourOrdersAreFresnels")
+             sharp/many_test.cpp sharp/objects_test.cpp sharp/unlit_test.cpp sharp/fluence_test.cpp
+             sharp/fluence.cpp
+             LIBRARIES test_support LONG "SharpFine.Packed*" "SharpGraded.*" "SharpMany.FortyShells" "SharpBall.FirstFourOrdersAreFresnels")
