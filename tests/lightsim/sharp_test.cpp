@@ -271,18 +271,22 @@ TEST(LightSharp, FortyLayersThatTouch) {
     EXPECT_NEAR(mean(dim, {0, 0, 112}, {4, 4, 119}), behind(before, last).through, 1e-2);
     EXPECT_NEAR(dim.stats.energy.absorbed[0] / dim.stats.energy.entered[0],
                 1 - behind(before, last).through - behind(before, last).back, 1e-2);
-    // The first of them is the one with the highest number.
-    TestVolume other(size);
+}
+
+TEST(LightSharp, LightThatEntersWithinOneOfManyObjects) {
+    // It reaches beyond the domain's face and, first of forty, has the highest number.
+    const ivec3 size(4, 4, 120);
+    const double n = 1.3, sigma = 0.1;
+    TestVolume layers(size);
     for (int k = 0; k < 40; ++k) {
         const std::string name = std::to_string(100 + k);
-        other.add("sdf." + name, slab(8.4 + 2.5 * k, 10.9 + 2.5 * k), 1e3);
-        other.constant("ior." + name, 1.3);
+        layers.add("sdf." + name, slab(k == 0 ? -9 : 8.4 + 2.5 * k, 10.9 + 2.5 * k), 1e3);
+        layers.constant("ior." + name, n);
     }
-    other.constantVector("absorption.100", dvec3(sigma));
-    const double once = std::pow((0.3 / 2.3), 2);
-    const Lit first = lit(other, params);
-    EXPECT_NEAR(mean(first, {0, 0, 112}, {4, 4, 119}),
-                kept * (1 - once) * (1 - once) / (1 - kept * kept * once * once), 1e-2);
+    layers.constantVector("absorption.100", dvec3(sigma));
+    const Lit found = lit(layers, paramsOf({beam({0, 0, 1})}, 1 << 13));
+    const double R = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
+    EXPECT_NEAR(mean(found, {0, 0, 112}, {4, 4, 119}), std::exp(-10.9 * sigma) * (1 - R), 2e-3);
 }
 
 TEST(LightSharp, AnOpaqueObjectHasASharpShadow) {

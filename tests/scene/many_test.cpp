@@ -4,9 +4,24 @@
 #include "scene/clearance.h"
 #include "support/test_volume.h"
 
+#include <bit>
 #include <glm/geometric.hpp>
+#include <glm/integer.hpp>
 #include <gtest/gtest.h>
 #include <random>
+
+// The shaders' own sets, of 64 objects.
+namespace sets {
+using glm::bitCount;
+using glm::findLSB;
+using glm::uint;
+using glm::uvec2;
+#define OBJECTS 64
+#define NEAR 8
+#define inout
+#include "transport/object_set.glsl"
+#undef inout
+} // namespace sets
 
 using namespace eikonal;
 using namespace eikonal::scene;
@@ -121,4 +136,27 @@ TEST(ManyObjects, ListsFillRowsThenLayers) {
     EXPECT_EQ(rowsFor(1024), ivec3(1024, 1, 1));
     EXPECT_EQ(rowsFor(1025), ivec3(1024, 2, 1));
     EXPECT_EQ(rowsFor((size_t{1} << 20) + 1), ivec3(1024, 1024, 2));
+}
+
+TEST(ManyObjects, SetsOfTwoWordsAreSetsOfSixtyFourBits) {
+    std::mt19937_64 random(1);
+    for (int times = 0; times < 1000; ++times) {
+        // Some of few objects, some of most.
+        std::uint64_t bits = random() & random();
+        if (times % 2) bits &= random() & random();
+        const glm::uvec2 set(static_cast<unsigned>(bits), static_cast<unsigned>(bits >> 32));
+        EXPECT_EQ(sets::slotsOf(set), std::popcount(bits));
+        EXPECT_EQ(sets::firstOf(set), std::countr_zero(bits)); // 64 of none
+        for (int k = 0; k < 64; ++k) {
+            const std::uint64_t bit = std::uint64_t{1} << k;
+            const auto halves = [](std::uint64_t word) {
+                return glm::uvec2(static_cast<unsigned>(word), static_cast<unsigned>(word >> 32));
+            };
+            EXPECT_EQ(sets::contains(set, k), (bits & bit) != 0);
+            EXPECT_EQ(sets::toggled(set, k), halves(bits ^ bit));
+            EXPECT_EQ(sets::changed(set, k, true), halves(bits | bit));
+            EXPECT_EQ(sets::changed(set, k, false), halves(bits & ~bit));
+            EXPECT_EQ(sets::slotOf(set, k), std::popcount(bits & (bit - 1)));
+        }
+    }
 }

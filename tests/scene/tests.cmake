@@ -1,2 +1,4 @@
 eikonal_test(test_scene SOURCES scene/field_test.cpp scene/many_test.cpp
              scene/warnings_test.cpp LIBRARIES test_support)
+# many_test.cpp reads the shaders' sets from there.
+target_include_directories(test_scene SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)

@@ -145,6 +145,34 @@ TEST(SharpMany, SixtyFourBallsThatTouch) {
     EXPECT_LT(off.degrees, 0.1);
 }
 
+TEST(SharpMany, GrazingOneWithManyNear) {
+    // Within a ball of the lowest priority are others of its index, which rays do not meet that
+    // graze it: they are within it for less than two voxels.
+    const dvec3 centre(15.63, 16.21, 15.87);
+    const double radius = 12, n = 1.5;
+    judge::Glass glass;
+    for (int k = 0; k < 40; ++k)
+        glass.solids.push_back(judge::glassBall(centre, radius - 0.5 - 0.02 * k, n, 1));
+    glass.solids.push_back(judge::glassBall(centre, radius, n, 0));
+    const Voxels voxels{.size = ivec3(32), .halfWidth = 6};
+    const dvec3 d = glm::normalize(dvec3(0.3, -1, 0.2));
+    const dvec3 across = glm::normalize(glm::cross(d, dvec3(1, 0, 0)));
+    // From 0.003 to 0.033 voxels deep.
+    const int rays = 8;
+    const Params params = along(d, centre + (radius - 0.018) * across, 0.03, {rays, rays});
+    const Look look(volumeOf(glass, voxels), params);
+    for (int y = 0; y < rays; ++y)
+        for (int x = 0; x < rays; ++x) {
+            // What enters at a grazing angle is told by how much is reflected.
+            const double impact = impactOf(rayOf(params, x, y), centre, radius);
+            EXPECT_LT(look.at("transmittance.R", x, y), 0.6) << impact;
+        }
+    // An eye in all of them, with no boundary near.
+    const Look within(volumeOf(glass, voxels), oneRay({centre, d}));
+    const double leaves = (centre.y / -d.y) - radius;
+    EXPECT_NEAR(within.at("optical_path_length.V"), n * radius + leaves, 2e-3);
+}
+
 TEST(SharpMany, FortyShells) {
     // Balls in balls, half a voxel apart, the inner ones of a higher index and priority: some
     // fourteen boundaries are near every point between them.
