@@ -21,7 +21,7 @@ struct BlockTable {
     explicit BlockTable(const std::vector<Object>& objects);
 
     std::vector<BlockRange> boxes; ///< per object
-    glm::ivec3 size{0};          ///< of a texture that holds all entries, x fastest [texel]
+    glm::ivec3 size{0};            ///< of a texture that holds all entries, x fastest [texel]
 
     size_t entries() const { return static_cast<size_t>(size.x) * size.y * size.z; }
     /// The entry of an object's block, which is in its box.

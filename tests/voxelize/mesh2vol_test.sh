@@ -270,7 +270,7 @@ test_many_objects() {
     refuses 64 many.obj -o out.vdb --voxel-size 0.5 $of
     says "MESH: found 65 objects, expected at most 64 with sharp boundaries (--boundary blurred"
     makes many.vdb many.obj --voxel-size 0.5 --boundary blurred $of
-    refuses 64 $(printf 'box.obj %.0s' $(seq 65)) -o out.vdb
+    refuses 64 $(printf 'box.obj %.0s' $(seq 65)) -o out.vdb --ior 1.5
     says "MESH: found 65 objects, expected at most 64"
 }
 
