@@ -50,7 +50,7 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
     : mMapProgram(device, "lightsim/map.vert.glsl", "lightsim/map.frag.glsl", {}),
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
       mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
-      mTarget(mDomain), mSeed(params.seed) {
+      mTarget(mDomain), mSeed(params.seed), mManyObjects(scene::areMany(plan.scene.objects)) {
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
         corners = trianglesOf(mDomain);
@@ -79,7 +79,7 @@ std::vector<Window> Emission::windowsOf(const Light& light, const Params& params
 std::uint32_t Emission::emit(gpu::Device& device, const scene::Transport& transport,
                              const Batch& batch, Photons& photons) {
     const Window& window = batch.window;
-    photons.fit(device, window.pixels);
+    photons.fit(device, window.pixels, mManyObjects);
     EmissionParams values{};
     values.clipFromVoxel = mat4(window.clipFromVoxel());
     values.right = vec4(window.right, 0);
@@ -101,9 +101,7 @@ std::uint32_t Emission::emit(gpu::Device& device, const scene::Transport& transp
         gpu::barrier();
     }
     photons.count.clear();
-    photons.count.bindStorage(kCountBuffer);
-    photons.slots.bindStorage(kPhotonsBuffer);
-    photons.list.bindStorage(kListBuffer);
+    photons.bind();
     photons.map.bindSampler(kPhotonMapUnit);
     transport.bind();
     mProgram.dispatch({window.pixels, 1});

@@ -33,6 +33,7 @@ private:
     std::int64_t mCorners = 0;
     VoxelBox mDomain, mTarget;
     std::uint32_t mSeed = 0;
+    bool mManyObjects; ///< more than a photon's own bits tell
 };
 
 } // namespace eikonal::lightsim

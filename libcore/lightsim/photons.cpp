@@ -26,18 +26,26 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
 
 } // namespace
 
-void Photons::fit(gpu::Device& device, const glm::ivec2& batch) {
+void Photons::fit(gpu::Device& device, const glm::ivec2& batch, bool manyObjects) {
     if (pixels == batch) return;
     pixels = batch;
     const std::int64_t all = std::int64_t{batch.x} * batch.y;
     map = gpu::Texture(); // freed before the next is allocated
-    for (gpu::Buffer* buffer : {&slots, &list, &nextList}) *buffer = gpu::Buffer();
+    for (gpu::Buffer* buffer : {&slots, &list, &nextList, &objects}) *buffer = gpu::Buffer();
     map =
         gpu::Texture(device, glm::ivec3(batch, 0), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     slots = gpu::Buffer(device, all * static_cast<std::int64_t>(sizeof(Photon)));
     list = gpu::Buffer(device, all * 4);
     nextList = gpu::Buffer(device, all * 4);
+    if (manyObjects) objects = gpu::Buffer(device, all * kBytesPerSet);
     if (count.bytes() == 0) count = gpu::Buffer(device, 16);
+}
+
+void Photons::bind() const {
+    count.bindStorage(kCountBuffer);
+    slots.bindStorage(kPhotonsBuffer);
+    list.bindStorage(kListBuffer);
+    if (objects.bytes() > 0) objects.bindStorage(kObjectsBuffer);
 }
 
 PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params, Media media,
@@ -68,9 +76,7 @@ std::uint32_t PhotonTracer::run(gpu::Device& device, const scene::Transport& tra
     mParams.limits.z = static_cast<float>(unit);
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
-    photons.count.bindStorage(kCountBuffer);
-    photons.slots.bindStorage(kPhotonsBuffer);
-    photons.list.bindStorage(kListBuffer);
+    photons.bind();
     photons.nextList.bindStorage(kNextListBuffer);
     transport.bind();
     mMedia.bind();

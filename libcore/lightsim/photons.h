@@ -14,14 +14,20 @@ namespace eikonal::lightsim {
 /// A photon, two entries of lists, a pixel of the photon map.
 constexpr std::int64_t kBytesPerPhoton = sizeof(Photon) + 2 * 4 + 16;
 
+/// More where there are many objects: the set of those that it is in.
+constexpr std::int64_t kBytesPerSet = 8;
+
 /// The photons of one batch: a slot for each pixel of the map, and lists of those that go on.
 struct Photons {
     glm::ivec2 pixels{0};
     gpu::Texture map;
     gpu::Buffer slots, list, nextList, count;
+    gpu::Buffer objects; ///< of many: those that each photon is in
 
     /// Makes room for a batch, if it has not got that already.
-    void fit(gpu::Device& device, const glm::ivec2& batch);
+    void fit(gpu::Device& device, const glm::ivec2& batch, bool manyObjects);
+    /// What emission and tracing both write, at the bindings of shaders/shared/bindings.h.
+    void bind() const;
 };
 
 /// Traces photons by runs of steps, thinning the list in between.

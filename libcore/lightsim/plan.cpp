@@ -130,7 +130,9 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
         needs.push_back(
             scene::voxelNeed(plan.scene.layout, "the coefficients", plan.colour ? 32 : 8));
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
-    needs.push_back({"the photons", pixels * kBytesPerPhoton, true, 0});
+    const std::int64_t photon =
+        kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
+    needs.push_back({"the photons", pixels * photon, true, 0});
     return needs;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/boundaries.h"
 
+#include "scene/block_table.h"
 #include "scene/clearance.h"
 #include "scene/lattice.h"
 #include "scene/shared.h"
@@ -62,6 +63,12 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
         const bool varies = region.coefficientsVary();
         values.regions[r] = paramsOf(region, h, varies ? static_cast<float>(page.z * pages++) : -1);
     }
+    if (areMany(scene.objects)) {
+        const BlockTable blocks(scene.objects);
+        for (size_t k = 0; k < scene.objects.size(); ++k)
+            values.boxes[k] = {ivec4(blocks.boxes[k].low, blocks.boxes[k].begin),
+                               ivec4(blocks.boxes[k].size, 0)};
+    }
     mParams = gpu::Buffer(device, sizeof values, &values);
     if (pages > 0) makeCoefficients(device, scene, h);
     mClearance = gpu::Texture(device, table.size, gpu::TexelFormat::r32f, gpu::Filter::linear);
@@ -69,6 +76,14 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
     if (scene.objects.size() == 1) return;
     mNearby = gpu::Texture(device, table.size, gpu::TexelFormat::r32ui, gpu::Filter::nearest);
     mNearby.upload(table.objects.data());
+    if (table.sets.empty()) return;
+    const ivec3 rows = rowsFor(table.sets.size());
+    std::vector<uvec4> sets(placeOf(rows, 0, 0, rows.z), uvec4(0));
+    std::transform(table.sets.begin(), table.sets.end(), sets.begin(), [](const ObjectSets& s) {
+        return uvec4(s.near, s.near >> 32, s.inside, s.inside >> 32);
+    });
+    mSets = gpu::Texture(device, rows, gpu::TexelFormat::rgba32ui, gpu::Filter::nearest);
+    mSets.upload(sets.data());
 }
 
 void Boundaries::makeCoefficients(gpu::Device& device, const Scene& scene, float h) {
@@ -95,6 +110,7 @@ void Boundaries::bind() const {
     for (unsigned i = 0; i < 3; ++i)
         if (mCoefficients[i].name() != 0) mCoefficients[i].bindSampler(kAbsorptionsUnit + i);
     if (mNearby.name() != 0) mNearby.bindSampler(kNearbyUnit);
+    if (mSets.name() != 0) mSets.bindSampler(kSetsUnit);
 }
 
 std::vector<gpu::Need> boundaryNeeds(const Scene& scene) {

@@ -20,7 +20,7 @@ public:
 private:
     void makeCoefficients(gpu::Device& device, const Scene& scene, float voxelSize);
     DistanceAtlas mDistances;
-    gpu::Texture mClearance, mNearby, mCoefficients[3];
+    gpu::Texture mClearance, mNearby, mSets, mCoefficients[3];
     gpu::Buffer mParams;
 };
 

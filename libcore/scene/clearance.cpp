@@ -105,9 +105,29 @@ public:
         float sum = 0;
         for (int i = 0; i < 8; ++i)
             sum += mObject.distance.at(glm::min(p + ivec3(i & 1, i >> 1 & 1, i >> 2), last));
-        const vec3 beyond(glm::max(p + 1 - last, ivec3(0)));
-        const float d = sum / 8;
-        return std::copysign(std::max(std::abs(d) - glm::length(beyond), 0.0f), d);
+        return heldBack(sum / 8, p + 1 - last);
+    }
+
+    /// The same where all distances are the band's: no boundary is near.
+    float farDistanceAt(ivec3 cube) const {
+        const ivec3 last = mObject.distance.size - 1;
+        const ivec3 p = mEdge * cube + mEdge / 2 - 1;
+        return mEdge == 1 ? mObject.band : heldBack(mObject.band, p + 1 - last);
+    }
+
+    /// Those that are not surely far outside.
+    volume::IndexBox box() const {
+        const volume::BrickGrid& grid = mObject.distance;
+        volume::IndexBox voxels;
+        for (size_t brick = 0; brick < grid.page.size(); ++brick) {
+            const bool isFar =
+                grid.page[brick] < 0 && grid.even[brick] == mObject.band && mObject.band >= kNearby;
+            if (isFar) continue;
+            const ivec3 low = grid.voxelOf(brick);
+            voxels.include(
+                {glm::max(low, ivec3(0)), glm::min(low + volume::kBrick, grid.size) - 1});
+        }
+        return voxels.empty() ? voxels : volume::IndexBox{voxels.min / mEdge, voxels.max / mEdge};
     }
 
     bool nearTo(ivec3 cube, float distance) const {
@@ -123,9 +143,71 @@ public:
     }
 
 private:
+    static float heldBack(float distance, ivec3 past) {
+        const vec3 beyond(glm::max(past, ivec3(0)));
+        return std::copysign(std::max(std::abs(distance) - glm::length(beyond), 0.0f), distance);
+    }
+
     const Object& mObject;
     int mEdge;
 };
+
+/// A layer of cubes along z: how far off any boundary is, and the objects' sets.
+std::vector<ObjectSets> fillLayer(const std::vector<Object>& objects,
+                                  const std::vector<volume::IndexBox>& boxes, int z,
+                                  BoundaryTable& table) {
+    const size_t first = placeOf(table.size, 0, 0, z);
+    std::vector<ObjectSets> sets(placeOf(table.size, 0, 0, 1));
+    float* nearest = table.clearance.data() + first;
+    // No object is further off than its band.
+    const auto& least =
+        *std::min_element(objects.begin(), objects.end(),
+                          [](const Object& a, const Object& b) { return a.band < b.band; });
+    const Cubes far(least, table.edge);
+    for (int y = 0, i = 0; y < table.size.y; ++y)
+        for (int x = 0; x < table.size.x; ++x, ++i) nearest[i] = far.farDistanceAt({x, y, z});
+    for (size_t k = 0; k < objects.size(); ++k) {
+        const volume::IndexBox& box = boxes[k];
+        if (z < box.min.z || z > box.max.z) continue;
+        const Cubes object(objects[k], table.edge);
+        const std::uint64_t bit = std::uint64_t{1} << k;
+        for (int y = box.min.y; y <= box.max.y; ++y)
+            for (int x = box.min.x; x <= box.max.x; ++x) {
+                const size_t i = placeOf(table.size, x, y, 0);
+                const float d = object.distanceAt({x, y, z});
+                nearest[i] = std::min(nearest[i], std::abs(d));
+                if (d < 0) sets[i].inside |= bit;
+                if (object.nearTo({x, y, z}, d)) sets[i].near |= bit;
+            }
+    }
+    return sets;
+}
+
+/// Fills in how near boundaries are by their distances, and the objects' sets.
+void fill(const std::vector<Object>& objects, BoundaryTable& table) {
+    std::vector<volume::IndexBox> boxes(objects.size());
+    tbb::parallel_for(size_t{0}, objects.size(),
+                      [&](size_t k) { boxes[k] = Cubes(objects[k], table.edge).box(); });
+    const bool many = areMany(objects);
+    std::vector<ListedSets> layers(many ? static_cast<size_t>(table.size.z) : 0);
+    table.objects.resize(many ? 0 : table.clearance.size());
+    tbb::parallel_for(0, table.size.z, [&](int z) {
+        const std::vector<ObjectSets> sets = fillLayer(objects, boxes, z, table);
+        if (many)
+            layers[static_cast<size_t>(z)] = listSets(sets);
+        else
+            std::transform(sets.begin(), sets.end(),
+                           table.objects.begin() +
+                               static_cast<std::ptrdiff_t>(placeOf(table.size, 0, 0, z)),
+                           [](const ObjectSets& s) {
+                               return static_cast<std::uint32_t>(s.near << 16 | s.inside);
+                           });
+    });
+    if (!many) return;
+    ListedSets all = joinLists(std::move(layers));
+    table.objects = std::move(all.places);
+    table.sets = std::move(all.list);
+}
 
 /// How far a cube's centre is from the farthest point for which it is the nearest one, less what a
 /// filtered look-up makes good: the way across each of the domain's faces that it lies on [voxel].
@@ -153,22 +235,9 @@ BoundaryTable tabulate(const std::vector<Object>& objects, const ivec3& size) {
     BoundaryTable table;
     const int edge = table.edge = tableEdge(size);
     const ivec3 cubes = table.size = (size + edge - 1) / edge;
-    table.clearance.assign(placeOf(cubes, 0, 0, cubes.z), 1e9f);
-    table.objects.assign(table.clearance.size(), 0);
+    table.clearance.resize(placeOf(cubes, 0, 0, cubes.z));
+    fill(objects, table);
     std::vector<float>& nearest = table.clearance;
-    for (size_t k = 0; k < objects.size(); ++k) {
-        const Cubes object(objects[k], edge);
-        tbb::parallel_for(0, cubes.z, [&](int z) {
-            size_t i = placeOf(cubes, 0, 0, z);
-            for (int y = 0; y < cubes.y; ++y)
-                for (int x = 0; x < cubes.x; ++x, ++i) {
-                    const float d = object.distanceAt({x, y, z});
-                    nearest[i] = std::min(nearest[i], std::abs(d));
-                    if (d < 0) table.objects[i] |= 1u << k;
-                    if (object.nearTo({x, y, z}, d)) table.objects[i] |= 1u << (16 + k);
-                }
-        });
-    }
     // From a cube to its group's centre, to that of a group with a boundary, to a cube of it whose
     // centre is within kCornerWay of the boundary.
     const auto h = static_cast<float>(edge);

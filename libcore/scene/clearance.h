@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/object_sets.h"
 #include "scene/objects.h"
 
 #include <cstdint>
@@ -16,8 +17,10 @@ struct BoundaryTable {
     /// How far the cube's centre is from any boundary at least [voxel]: exact where the level sets
     /// are, of one object alone negative inside.
     std::vector<float> clearance;
-    /// Of several objects: those that hold its centre (low 16 bits), those near it (high 16).
+    /// Of several objects: those that hold its centre (low 16 bits), those near it (high 16). Of
+    /// many the place of both sets in `sets`.
     std::vector<std::uint32_t> objects;
+    std::vector<ObjectSets> sets;
 };
 
 /// The edge of the cubes [voxel]: a power of two that keeps the table small whatever the domain, so

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/distance_atlas.h"
 
+#include "scene/block_table.h"
 #include "scene/lattice.h"
 #include "scene/shared.h"
 
@@ -36,12 +37,6 @@ std::int64_t blocksOf(const std::vector<Object>& objects) {
 /// The texels of a block.
 ivec3 texelsOf(bool packed) {
     return {packed ? kPackedTexels : kBlockCells, kCoefficients, kCoefficients};
-}
-
-ivec3 tableOf(const std::vector<Object>& objects) {
-    ivec3 table = cellBlocks(objects.front().distance.size);
-    table.z *= static_cast<int>(objects.size());
-    return table;
 }
 
 /// The second difference of samples along an axis. Where walls are thin distances have a kink
@@ -157,16 +152,17 @@ std::vector<Block> listBlocks(const std::vector<Object>& objects) {
 }
 
 /// The table of blocks as if none were near a boundary.
-std::vector<std::uint32_t> farBlocks(const std::vector<Object>& objects, ivec3 table) {
-    std::vector<std::uint32_t> places(placeOf(table, 0, 0, table.z));
-    const int deep = table.z / static_cast<int>(objects.size());
-    tbb::parallel_for(0, table.z, [&](int z) {
-        const volume::BrickGrid& grid = objects[static_cast<size_t>(z / deep)].distance;
-        for (int y = 0; y < table.y; ++y)
-            for (int x = 0; x < table.x; ++x) {
-                const ivec3 first = glm::min(kBrick * ivec3(x, y, z % deep), grid.size - 1);
-                places[placeOf(table, x, y, z)] = kFarBlock + (grid.at(first) < 0 ? 1u : 0u);
-            }
+std::vector<std::uint32_t> farBlocks(const std::vector<Object>& objects, const BlockTable& table) {
+    std::vector<std::uint32_t> places(table.entries(), kFarBlock);
+    tbb::parallel_for(size_t{0}, objects.size(), [&](size_t k) {
+        const volume::BrickGrid& grid = objects[k].distance;
+        const ivec3 low = table.boxes[k].low, high = low + table.boxes[k].size;
+        for (int z = low.z; z < high.z; ++z)
+            for (int y = low.y; y < high.y; ++y)
+                for (int x = low.x; x < high.x; ++x) {
+                    const ivec3 first = glm::min(kBrick * ivec3(x, y, z), grid.size - 1);
+                    if (grid.at(first) < 0) ++places[table.at(k, {x, y, z})];
+                }
     });
     return places;
 }
@@ -182,10 +178,9 @@ DistanceAtlas::DistanceAtlas(gpu::Device& device, const std::vector<Object>& obj
     const bool packed = isPacked(objects);
     const ivec3 block = texelsOf(packed);
     const std::vector<Block> list = listBlocks(objects);
-    const ivec3 atlas = atlasOf(static_cast<std::int64_t>(list.size()), block),
-                table = tableOf(objects);
+    const ivec3 atlas = atlasOf(static_cast<std::int64_t>(list.size()), block);
+    const BlockTable table(objects);
     std::vector<std::uint32_t> places = farBlocks(objects, table);
-    const int deep = table.z / static_cast<int>(objects.size());
     mCoefficients =
         gpu::Texture(device, atlas * block, gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     const ivec3 slab(atlas.x * block.x, atlas.y * block.y, block.z);
@@ -197,15 +192,14 @@ DistanceAtlas::DistanceAtlas(gpu::Device& device, const std::vector<Object>& obj
         tbb::parallel_for(size_t{0}, count, [&](size_t i) {
             const Block& one = list[first + i];
             const auto x = static_cast<int>(i) % atlas.x, y = static_cast<int>(i) / atlas.x;
-            const auto k = static_cast<int>(one.object - objects.data());
-            places[placeOf(table, one.place.x, one.place.y, one.place.z + k * deep)] =
-                static_cast<std::uint32_t>(x | y << 10 | z << 20);
+            const auto k = static_cast<size_t>(one.object - objects.data());
+            places[table.at(k, one.place)] = static_cast<std::uint32_t>(x | y << 10 | z << 20);
             writeBlock(Samples(one.object->distance), one.place, packed,
                        texels.data() + 4 * placeOf(slab, x * block.x, y * block.y, 0), slab);
         });
         mCoefficients.uploadSlices(z * block.z, block.z, texels.data());
     }
-    mBlocks = gpu::Texture(device, table, gpu::TexelFormat::r32ui, gpu::Filter::nearest);
+    mBlocks = gpu::Texture(device, table.size, gpu::TexelFormat::r32ui, gpu::Filter::nearest);
     mBlocks.upload(places.data());
 }
 
@@ -216,7 +210,7 @@ void DistanceAtlas::bind() const {
 
 std::vector<gpu::Need> atlasNeeds(const std::vector<Object>& objects) {
     const ivec3 block = texelsOf(isPacked(objects));
-    const ivec3 atlas = block * atlasOf(blocksOf(objects), block), table = tableOf(objects);
+    const ivec3 atlas = block * atlasOf(blocksOf(objects), block), table = BlockTable(objects).size;
     return {{"the boundaries' distances", std::int64_t{atlas.x} * atlas.y * atlas.z * 16, false,
              std::max({atlas.x, atlas.y, atlas.z})},
             {"the table of their blocks", std::int64_t{table.x} * table.y * table.z * 4, false,

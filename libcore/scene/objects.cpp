@@ -212,4 +212,16 @@ Object readObject(const volume::Volume& volume, const std::string& sdf,
     return object;
 }
 
+bool areMany(const std::vector<Object>& objects) {
+    return objects.size() > static_cast<size_t>(kFewObjects);
+}
+
+int mostNear(const std::vector<Object>& objects) {
+    const ivec3 blocks = cellBlocks(objects.front().distance.size);
+    std::vector<std::uint8_t> near(placeOf(blocks, 0, 0, blocks.z));
+    for (const Object& object : objects)
+        for (const std::uint32_t cell : object.cells) ++near[cell];
+    return *std::max_element(near.begin(), near.end());
+}
+
 } // namespace eikonal::scene

@@ -23,6 +23,12 @@ struct Object {
     float slope = 1;         ///< how it grows a voxel on, in the mean near the boundary
 };
 
+/// Whether they are more than tables of boundaries have bits for: kernels then go by lists.
+bool areMany(const std::vector<Object>& objects);
+
+/// The most objects whose boundary is near one voxel, and some more: near one block of cells.
+int mostNear(const std::vector<Object>& objects);
+
 /// Blocks of cells along each axis of a domain of that size.
 inline glm::ivec3 cellBlocks(const glm::ivec3& size) {
     return (size + volume::kBrick) / volume::kBrick;

@@ -1,6 +1,7 @@
-eikonal_room(scene SOURCES bias.cpp boundaries.cpp clearance.cpp distance_atlas.cpp effects.cpp
-                           field.cpp files.cpp index.cpp objects.cpp regions.cpp samples.cpp
-                           scene.cpp transport.cpp voxel_layout.cpp voxel_textures.cpp
+eikonal_room(scene SOURCES bias.cpp block_table.cpp boundaries.cpp clearance.cpp distance_atlas.cpp
+                           effects.cpp field.cpp files.cpp index.cpp objects.cpp object_sets.cpp
+                           regions.cpp samples.cpp scene.cpp transport.cpp voxel_layout.cpp
+                           voxel_textures.cpp
              SYSTEM_INCLUDES ${PROJECT_SOURCE_DIR}/shaders)
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/scene/bias.cpp
                             ${CMAKE_CURRENT_SOURCE_DIR}/scene/samples.cpp PROPERTIES COMPILE_OPTIONS -O3

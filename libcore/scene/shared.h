@@ -6,7 +6,9 @@
 
 namespace eikonal::scene {
 
+using glm::ivec4;
 using glm::uint;
+using glm::uvec4;
 using glm::vec4;
 #include "shared/bindings.h"
 #include "shared/field_params.h"
@@ -15,7 +17,7 @@ using glm::vec4;
 #include "shared/transport_params.h"
 
 static_assert(sizeof(FieldParams) == 48);
-static_assert(sizeof(SceneParams) == 96 + 13 * 96);
+static_assert(sizeof(SceneParams) == 96 + 65 * 96 + 64 * 32);
 static_assert(sizeof(TransportParams) == 64);
 
 } // namespace eikonal::scene

@@ -25,6 +25,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
             {"PAGED", scene.layout.paged},
             {"OBJECTS", static_cast<int>(scene.objects.size())},
+            {"NEAR", scene.sharp && areMany(scene.objects) ? mostNear(scene.objects) : 0},
             {"PACKED", scene.sharp && isPacked(scene.objects)},
             {"VARIES", scene.sharp && scene.varyingRegions() > 0},
             {"OPAQUE", scene.anyOpaque()}};

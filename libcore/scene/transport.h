@@ -17,7 +17,7 @@ struct StepLengths {
     bool equal = false;     ///< Verlet's are all of the longest, so that the field is made for them
 };
 
-/// The switches INTEGRATOR, FIELD, PAGED, OBJECTS, PACKED, VARIES, OPAQUE of every kernel that
+/// The switches INTEGRATOR, FIELD, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE of every kernel that
 /// traces.
 gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing);
 

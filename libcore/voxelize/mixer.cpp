@@ -25,13 +25,9 @@ public:
                z;
     }
     int at(size_t object, size_t place) const { return mCounts[object][place]; }
-    bool isEven() const {
-        return std::all_of(mCounts.begin(), mCounts.end(),
-                           [this](const auto& own) { return isEven(own); });
-    }
-
-private:
-    bool isEven(const std::vector<std::uint16_t>& own) const {
+    /// Whether an object's count is the same in all of them.
+    bool isEven(size_t object) const {
+        const std::vector<std::uint16_t>& own = mCounts[object];
         const std::uint16_t value = own[placeOf(0, 0, 0)];
         for (int y = 0; y < mSize.y; ++y)
             for (int x = 0; x < mSize.x; ++x) {
@@ -42,6 +38,7 @@ private:
         return true;
     }
 
+private:
     const Counts& mCounts;
     glm::ivec3 mStrip, mFirst, mSize;
 };
@@ -87,9 +84,19 @@ void Mixer::mix(const Counts& counts, int firstRow, int rows) {
 }
 
 void Mixer::mixBrick(const Brick& brick, size_t place, Slab& slab) {
-    std::vector<int> shares(mCovered.size() + 1); // the medium's last
+    Shares shares;
+    shares.samples.resize(mCovered.size() + 1);
+    bool even = true;
+    for (size_t k : mOrder) {
+        const bool own = brick.isEven(k);
+        even = even && own;
+        if (!own || brick.at(k, brick.placeOf(0, 0, 0)) > 0) shares.takers.push_back(k);
+    }
+    shares.sorted = shares.takers;
+    std::sort(shares.sorted.begin(), shares.sorted.end());
+    shares.sorted.push_back(mCovered.size());
     const glm::ivec3 size = brick.size();
-    if (brick.isEven()) {
+    if (even) {
         tally(brick, brick.placeOf(0, 0, 0), std::int64_t{size.x} * size.y * size.z, shares, slab);
         for (size_t g = 0; g < mGrids.size(); ++g) {
             volume::BrickGrid& grid = mGrids[g].bricks;
@@ -118,26 +125,27 @@ void Mixer::mixBrick(const Brick& brick, size_t place, Slab& slab) {
 }
 
 /// Counts `times` voxels like this one, and shares its samples out, what is left to the medium.
-void Mixer::tally(const Brick& brick, size_t voxel, std::int64_t times, std::vector<int>& shares,
+void Mixer::tally(const Brick& brick, size_t voxel, std::int64_t times, Shares& shares,
                   Slab& slab) const {
     int left = mMost;
-    for (size_t k : mOrder) {
+    for (size_t k : shares.takers) {
         const int covered = brick.at(k, voxel);
         slab.covered[k] += covered > 0 ? times : 0;
-        shares[k] = std::min(covered, left);
-        left -= shares[k];
+        shares.samples[k] = std::min(covered, left);
+        left -= shares.samples[k];
     }
     slab.occupied += left < mMost ? times : 0;
-    shares.back() = left;
+    shares.samples.back() = left;
 }
 
 /// The mean of the materials' values by share and weight.
-void Mixer::store(const std::vector<int>& shares, size_t grid, float* out) const {
+void Mixer::store(const Shares& shares, size_t grid, float* out) const {
     // Nearly every voxel has one material, whose values are at hand.
     const Filled& filled = mGrids[grid];
-    size_t only = 0;
-    while (only < shares.size() && shares[only] != mMost) ++only;
-    const glm::vec3 value = only < shares.size() ? filled.alone[only] : meanOf(filled, shares);
+    const auto only = std::find_if(shares.sorted.begin(), shares.sorted.end(),
+                                   [&](size_t k) { return shares.samples[k] == mMost; });
+    const glm::vec3 value =
+        only != shares.sorted.end() ? filled.alone[*only] : meanOf(filled, shares);
     for (int c = 0; c < filled.bricks.components; ++c) out[c] = value[c];
 }
 
@@ -154,11 +162,11 @@ void Mixer::takeIn(const Slab& slab) {
     }
 }
 
-glm::vec3 Mixer::meanOf(const Filled& grid, const std::vector<int>& shares) {
+glm::vec3 Mixer::meanOf(const Filled& grid, const Shares& shares) {
     glm::dvec3 sum(0);
     double weights = 0;
-    for (size_t k = 0; k < shares.size(); ++k) {
-        const double weight = shares[k] * grid.weights[k];
+    for (size_t k : shares.sorted) {
+        const double weight = shares.samples[k] * grid.weights[k];
         sum += weight * grid.values[k];
         weights += weight;
     }

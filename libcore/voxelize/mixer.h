@@ -54,10 +54,16 @@ private:
     using Counts = std::vector<std::vector<std::uint16_t>>;
     class Brick;
     void mixBrick(const Brick& brick, size_t place, Slab& slab);
-    void tally(const Brick& brick, size_t voxel, std::int64_t times, std::vector<int>& shares,
+    /// Whose samples a voxel has, of those that have some in its brick and, last, the medium.
+    struct Shares {
+        std::vector<size_t> takers; ///< the objects' numbers, first come first served
+        std::vector<size_t> sorted; ///< all numbers, the medium's last
+        std::vector<int> samples;   ///< by number
+    };
+    void tally(const Brick& brick, size_t voxel, std::int64_t times, Shares& shares,
                Slab& slab) const;
-    void store(const std::vector<int>& shares, size_t grid, float* out) const;
-    static glm::vec3 meanOf(const Filled& grid, const std::vector<int>& shares);
+    void store(const Shares& shares, size_t grid, float* out) const;
+    static glm::vec3 meanOf(const Filled& grid, const Shares& shares);
     void takeIn(const Slab& slab);
     size_t indexOf(Grid grid) const;
 

@@ -93,6 +93,14 @@ int mostSharpObjects() {
     return kMostObjects;
 }
 
+void requireSharpCount(size_t objects) {
+    const auto most = static_cast<size_t>(mostSharpObjects());
+    if (objects > most)
+        throw UsageError("MESH: found " + std::to_string(objects) + " objects, expected at most " +
+                         std::to_string(most) +
+                         " with sharp boundaries (--boundary blurred takes any number)");
+}
+
 void refuseCount(const std::string& option, size_t given, const Place& place) {
     std::string wanted = "once";
     if (place.files > 1)
@@ -129,7 +137,9 @@ void Params::check() const {
     require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");
     // From 90° on a box would be a ball.
     require(smooth >= 0 && smooth < 90, "--smooth", toText(smooth), "0 or more, and less than 90");
-    if (sharp) checkNames(objects);
+    if (!sharp) return;
+    requireSharpCount(objects.size());
+    checkNames(objects);
 }
 
 } // namespace eikonal::voxelize

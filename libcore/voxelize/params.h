@@ -68,6 +68,13 @@ constexpr double kSmallestVoxel = volume::kLeastVoxelSize, kLargestVoxel = 1e12;
 /// How many objects with sharp boundaries the later stages take.
 int mostSharpObjects();
 
+/// More objects of a file than these are made one where nothing tells them apart: light is the
+/// same, and the fewer boundaries there are to look for the sooner it is traced.
+constexpr size_t kMostAlike = 12;
+
+/// Throws UsageError for more objects with sharp boundaries than the later stages take.
+void requireSharpCount(size_t objects);
+
 /// Which of the objects one is, and which of the files it comes from.
 struct Place {
     size_t object, objects; ///< its number, and how many there are

@@ -96,7 +96,8 @@ std::int64_t bytesFor(const Params& params, const Lattice& lattice, int componen
     const auto voxelsWithin = [&](double reach) {
         return std::min(area * (1.5 * volume::kBrick + 2 * reach), voxels);
     };
-    const double strip = std::min(static_cast<double>(kStripBytes), 4 * voxels);
+    const double strip =
+        std::min(static_cast<double>(stripBytesFor(params.objects.size())), 4 * voxels);
     const double objects = static_cast<double>(params.objects.size());
     const double mixed = (voxelsWithin(0) + bricks) * 4 * components;
     const double distances = params.sharp ? (voxelsWithin(params.sdfBand) + bricks) * 4 : 0;

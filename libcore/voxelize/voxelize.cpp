@@ -121,6 +121,7 @@ void putDistances(volume::Volume& volume, const Params& params, const Plan& plan
 
 Result voxelize(gpu::Device& device, const Params& params, const Plan& plan, Stats& stats,
                 const Progress& progress, std::int64_t stripBytes) {
+    stripBytes = std::min(stripBytes, stripBytesFor(params.objects.size()));
     device.requireFit(coverageNeeds(plan.lattice, stripBytes));
     stats.effects = plan.effects;
     Mixer mixer(params, plan.grids, plan.lattice);

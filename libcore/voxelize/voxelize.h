@@ -17,7 +17,7 @@ struct Result {
 
 /// Fills the grids of `plan`. A grid in which nothing but the background came to lie is left out
 /// and its effect is off. `stats` gets effects, passes and counters. Throws MemoryError if the
-/// device can't hold `stripBytes` of the volume.
+/// device can't hold `stripBytes` of the volume, or what is less of many objects.
 Result voxelize(gpu::Device& device, const Params& params, const Plan& plan, Stats& stats,
                 const Progress& progress = {}, std::int64_t stripBytes = kStripBytes);
 

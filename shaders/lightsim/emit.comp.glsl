@@ -11,6 +11,7 @@ layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { EmissionParams params; };
 layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; };
 layout(std430, binding = kPhotonsBuffer) writeonly buffer Photons { Photon photons[]; };
+layout(std430, binding = kObjectsBuffer) writeonly buffer InObjects { ObjectSet inObjects[]; }; // of many
 layout(std430, binding = kListBuffer) writeonly buffer List { uint list[]; };
 layout(binding = kPhotonMapUnit) uniform sampler2D photonMap;
 
@@ -87,14 +88,15 @@ void main() {
     float back = kObjects == 0 || startsAtLight
                      ? 0.0
                      : min(boxSpan(x, -direction, params.low.xyz, params.high.xyz).y, 1.0);
-    uint objects = objectsAt(x - back * direction, direction, startsAtLight);
+    ObjectSet objects = objectsAt(x - back * direction, direction, startsAtLight);
     Photon photon;
     photon.place = vec4(x, 0.0);
     photon.wave = vec4(indexOf(regionOf(objects), x) * direction, 0.0);
     photon.weight = vec4(vec3(weight), uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
     photon.absorbed = vec4(vec3(0.0), kObjects > 0 ? chanceAt(pixel) : 0.5);
     photon.scattered = vec4(vec3(0.0), 1.0);
-    photon.count = uvec4(kAlive, 0u, 0u, objects);
+    photon.count = uvec4(kAlive, 0u, 0u, firstBits(objects));
+    if (kMany) inObjects[id] = objects;
     photons[id] = photon;
     list[atomicAdd(nextCount, 1u)] = id;
 }

@@ -22,6 +22,7 @@ layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { PhotonParams params; };
 layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; uint overflowed; };
 layout(std430, binding = kPhotonsBuffer) buffer Photons { Photon photons[]; };
+layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
 layout(std430, binding = kListBuffer) readonly buffer List { uint list[]; };
 layout(std430, binding = kNextListBuffer) writeonly buffer NextList { uint nextList[]; };
 layout(binding = kAbsorptionUnit) uniform sampler3D absorption; // padded by one; grey: (σ_a, σ_s) [1/voxel]
@@ -101,12 +102,13 @@ bool onEnd(inout Path path, inout Load load) {
     return false;
 }
 
-Path pathOf(Photon photon) {
+Path pathOf(Photon photon, uint id) {
     Path path = pathFrom(photon.place.xyz, photon.wave.xyz,
                          int(min(photon.count.y + params.list.y, params.list.z)));
     path.throughput = photon.weight.xyz;
     if (kObjects > 0) {
-        path.objects = photon.count.w & 0xFFFFu;
+        path.objects = ObjectSet(photon.count.w & 0xFFFFu);
+        if (kMany) path.objects = inObjects[id];
         path.depth = int(photon.count.w >> 16u);
         path.departs = photon.place.w;
     }
@@ -126,8 +128,9 @@ void keep(Path path, Load load) {
     photon.absorbed = vec4(load.absorbed, load.chance);
     photon.scattered = vec4(load.scattered, load.worth);
     photon.count = uvec4(path.status, path.steps, load.deposits,
-                         path.objects | uint(path.depth) << 16u);
+                         firstBits(path.objects) | uint(path.depth) << 16u);
     photons[load.id] = photon;
+    if (kMany) inObjects[load.id] = path.objects;
     if (path.status == kAlive) nextList[atomicAdd(nextCount, 1u)] = load.id;
     if (load.fullest >= kNearFull) atomicOr(overflowed, 1u);
 }
@@ -136,7 +139,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= params.list.x) return;
     uint id = list[gl_GlobalInvocationID.x];
     Photon photon = photons[id];
-    Path path = pathOf(photon);
+    Path path = pathOf(photon, id);
     Load load = Load(photon.absorbed.xyz, photon.scattered.xyz, photon.weight.w, photon.count.z, 0u,
                      photon.absorbed.w, photon.scattered.w, id);
     trace(path, load);

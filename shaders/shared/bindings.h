@@ -12,12 +12,13 @@ const int kSceneBlock = 4;     // SceneParams
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
 const int kDistancesUnit = 9;    // spline coefficients of signed distances, by blocks of cells [voxel]
 const int kClearanceUnit = 10;   // how far off any interface is at least [voxel]
-const int kNearbyUnit = 11;      // bits of the objects that hold a cube of voxels or are near it
+const int kNearbyUnit = 11;      // the objects that hold a cube of voxels or are near it: bits, or which sets
 const int kAbsorptionsUnit = 12; // coefficients that vary within regions [1/voxel], g
 const int kScatteringsUnit = 13; // [1/voxel]
 const int kEmissionsUnit = 14;   // [radiance/voxel]
-const int kVoxelBlocksUnit = 16; // where blocks of voxels lie in textures of them
 const int kBlocksUnit = 15;      // where each object's blocks of cells lie among the distances
+const int kSetsUnit = 16;        // of many objects: sets of those near a cube and of those that hold it
+const int kVoxelBlocksUnit = 17; // where blocks of voxels lie in textures of them
 
 // view: textures of blurred media, of light, of what surrounds the scene.
 const int kExtinctionUnit = 1;  // σ_t, or with the source of a grey medium beside it [1/voxel]
@@ -46,6 +47,7 @@ const int kPhotonsBuffer = 1;  // one per pixel of the photon map
 const int kListBuffer = 2;     // pixels whose photon goes on
 const int kNextListBuffer = 3; // those of the next launch
 const int kBricksBuffer = 4;   // where each brick of voxels lies in the atlases of sums
+const int kObjectsBuffer = 10; // of many objects: those that each photon is in
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
 const int kBrickListBuffer = 0; // resolve.comp, smooth.comp: the bricks that receive

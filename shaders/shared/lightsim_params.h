@@ -44,8 +44,8 @@ struct Photon {
     vec4 weight;    // what is left of its power, rgb or the first alone; w: the rounding phase
     vec4 absorbed;  // weight absorbed so far; w: decides which way it goes, in (0, 1)
     vec4 scattered; // weight scattered so far; w: what share of that number's digits is left
-    uvec4 count;    // x: its status (kNone...), y: steps, z: deposits, w: the objects it is in, a
-                    // bit each, and from bit 16 on the interfaces it has met
+    uvec4 count;    // x: its status (kNone...), y: steps, z: deposits, w: of few objects those it
+                    // is in, a bit each, and from bit 16 on the interfaces it has met
 };
 
 // A batch's energy in weights and numbers, summed up by a work item.

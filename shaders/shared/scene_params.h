@@ -11,12 +11,19 @@ struct RegionParams {
     vec4 reflectance; // rgb: tint of what its boundary mirrors
 };
 
+// Of many objects: the box of blocks of cells that an object's boundary or inside is in.
+struct BlockBox {
+    ivec4 low;  // xyz: its first block; w: where its blocks begin in their list
+    ivec4 size; // xyz: blocks along x, y, z
+};
+
 struct SceneParams {
     vec4 clearance; // xyz: 1 / voxels that the clearances span; w: voxels along a cube's edge
     vec4 texel;     // xyz: 1 / texels of the distances
-    vec4 reach;     // xyz: where distances end [voxel]; w: an object's blocks of cells along z
+    vec4 reach;     // xyz: where distances end [voxel]; w: an object's blocks of cells along z, of few
     vec4 page;      // xyz: 1 / texels of coefficients that vary
     vec4 low;       // xyz: low corner of the box that all boundaries are in [voxel]
     vec4 high;      // xyz: its high corner
     RegionParams regions[kMostObjects + 1]; // of each object, then of what surrounds them
+    BlockBox boxes[kMostObjects];           // of each object
 };

@@ -13,7 +13,7 @@ struct Interface {
     int there;
     float n;       // their indices
     float beyond;
-    uint objects;  // those that hold the far side
+    ObjectSet objects; // those that hold the far side
 };
 
 // A ray that goes on.
@@ -21,7 +21,7 @@ struct Outgoing {
     vec3 w;
     float share;   // of the light that arrives; all shares add up to 1
     vec3 tint;     // what is left of that share, rgb
-    uint objects;
+    ObjectSet objects;
     float departs; // how steeply it leaves, the cosine with the normal
 };
 const int kMostOutgoing = 2;
@@ -29,24 +29,25 @@ const int kMostOutgoing = 2;
 // The objects that hold the far side of a boundary met at x by a ray along w; `normal` is there.
 // Objects that touch there are one boundary: a ray that is about to go through that of another one has
 // done so, if a little way off that one rules.
-uint objectsBeyond(uint objects, int object, vec3 x, vec3 w, vec3 normal) {
-    uint after = objects ^ (1u << object);
-    uint close = closeTo(x);
-    for (int k = 0; kObjects > 1 && k < kObjects; ++k)
-        if (k != object && ((close >> k) & 1u) == 1u) {
-            vec4 found = distanceAt(k, x);
-            bool leaves = sideOf(objects, k) * dot(found.xyz, w) >= 0.0;
-            if (leaves || abs(found.w) > 2.0 * kTouch) continue;
-            after &= ~(1u << k);
-            after |= (distanceAt(k, x + kTouch * normal).w < 0.0 ? 1u : 0u) << k;
-        }
+ObjectSet objectsBeyond(ObjectSet objects, int object, vec3 x, vec3 w, vec3 normal) {
+    ObjectSet after = toggled(objects, object);
+    ObjectSet close = closeTo(x);
+    ObjectSet rest = close;
+    for (int i = 0; kObjects > 1 && i < slotsOf(close); ++i) {
+        int k = objectAt(rest, i);
+        if (k == object || passesOver(close, k)) continue;
+        vec4 found = distanceAt(k, x);
+        bool leaves = sideOf(objects, k) * dot(found.xyz, w) >= 0.0;
+        if (leaves || abs(found.w) > 2.0 * kTouch) continue;
+        after = changed(after, k, distanceAt(k, x + kTouch * normal).w < 0.0);
+    }
     return after;
 }
 
-Interface interfaceAt(Ray ray, uint objects, Hit hit) {
+Interface interfaceAt(Ray ray, ObjectSet objects, Hit hit) {
     vec3 normal = hit.gradient / max(length(hit.gradient), 1.0e-20);
     if (dot(ray.w, normal) < 0.0) normal = -normal;
-    uint after = objectsBeyond(objects, hit.object, ray.x, ray.w, normal);
+    ObjectSet after = objectsBeyond(objects, hit.object, ray.x, ray.w, normal);
     int here = regionOf(objects);
     int there = regionOf(after);
     return Interface(ray.x, normal, hit.object, here, there, indexOf(here, ray.x),
@@ -60,7 +61,7 @@ bool isNothing(Interface at) {
 
 // The rays into which one along w, within `objects`, parts: what is refracted first, if anything is.
 // Returns how many.
-int scatterAt(Interface at, vec3 w, uint objects, out Outgoing outgoing[kMostOutgoing]) {
+int scatterAt(Interface at, vec3 w, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
     Dielectric made = dielectricAt(w * (at.n / length(w)), at.normal, at.n, at.beyond);
     Outgoing reflected =
         Outgoing(made.reflected, made.reflectance, scene.regions[at.object].reflectance.xyz, objects,

@@ -63,19 +63,20 @@ Hit noHit(float s) {
 // second order; else Newton's steps lead to it, and the ends of every step tell whether the way was
 // beyond a boundary in between. A zero is enclosed from there on. What starts beyond a boundary by
 // rounding or by less than kTouch, and comes back, has not met it.
-Hit intersect(Segment segment, uint objects, float departs) {
+Hit intersect(Segment segment, ObjectSet objects, float departs) {
     Hit hit = noHit(segment.extent);
     vec2 own[kObjectSlots];    // distance from this side and its slope, at s
     float least[kObjectSlots]; // how far beyond the boundary the way started
-    for (int k = 0; k < kObjects; ++k) {
-        own[k] = vec2(0.0);
-        least[k] = 0.0;
+    for (int i = 0; i < kObjectSlots; ++i) {
+        own[i] = vec2(0.0);
+        least[i] = 0.0;
     }
     float s = 0.0;       // known to be before any boundary
     float beyond = -1.0; // known to be behind one, if above s
     // One object alone is left for good after a steep start: no boundary so soon.
     float trial = kObjects == 1 && departs > 0.35 ? min(0.75, segment.extent) : 0.0;
-    uint known = 0u;     // the objects whose `own` is of s
+    ObjectSet known = ObjectSet(0u);   // the objects whose `own` is of s
+    ObjectSet started = ObjectSet(0u); // those near the start
     bool walking = true;
     while (walking) {
         // Leaps. A loop of its own: software devices walk all of a loop's branches in every round.
@@ -89,7 +90,7 @@ Hit intersect(Segment segment, uint objects, float departs) {
             if (leaping) {
                 last = free < exactClearance() ? free : -1.0;
                 s = trial;
-                known = 0u;
+                known = ObjectSet(0u);
                 trial = min(s + freeBy(free), segment.extent);
                 walking = s < segment.extent;
                 leaping = walking && hit.looks < kMostLooks;
@@ -101,7 +102,11 @@ Hit intersect(Segment segment, uint objects, float departs) {
         }
         if (walking) {
             vec3 x = pointOn(segment, trial);
-            uint close = closeTo(x) | known;
+            ObjectSet close = closeTo(x);
+            // Of few objects those of the step's start are asked as well. What lies between is near
+            // both ends, but for distances that are none; of many a set is no larger than one cube's.
+            if (!kMany) close |= known;
+            if (trial == 0.0) started = close;
             vec3 d = directionOn(segment, trial);
             ++hit.looks;
             vec2 here[kObjectSlots];
@@ -110,19 +115,23 @@ Hit intersect(Segment segment, uint objects, float departs) {
             vec3 gradient = vec3(0.0);
             vec3 change = vec3(0.0);
             bool over = false;
-            for (int k = 0; k < kObjects; ++k) {
-                here[k] = vec2(1.0e9, 0.0);
-                if (((close >> k) & 1u) == 0u) continue;
+            ObjectSet rest = close;
+            for (int i = 0; i < slotsOf(close); ++i) {
+                int k = objectAt(rest, i);
+                here[i] = vec2(1.0e9, 0.0);
+                if (passesOver(close, k)) continue;
                 Curved curved = curvedDistanceAt(k, x, d);
                 vec4 found = sideOf(objects, k) * curved.sum;
-                here[k] = vec2(found.w, dot(found.xyz, d));
-                if (trial == 0.0 && here[k].y > 0.0) least[k] = min(here[k].x, 0.0);
-                if (here[k].x > 0.0) least[k] = 0.0;
-                bool past = here[k].x < least[k] - 1.0e-6;
+                here[i] = vec2(found.w, dot(found.xyz, d));
+                bool noted = !kMany || contains(started, k);
+                int slot = noted ? slotOf(started, k) : 0;
+                if (trial == 0.0 && here[i].y > 0.0) least[slot] = min(here[i].x, 0.0);
+                if (noted && here[i].x > 0.0) least[slot] = 0.0;
+                bool past = here[i].x < (noted ? least[slot] : 0.0) - 1.0e-6;
                 over = over || past;
-                bool ahead = past || here[k].y < 0.0;
-                if (object < 0 || (ahead && here[k].x < nearest.x)) {
-                    nearest = ahead ? here[k] : vec2(1.0e9, 0.0);
+                bool ahead = past || here[i].y < 0.0;
+                if (object < 0 || (ahead && here[i].x < nearest.x)) {
+                    nearest = ahead ? here[i] : vec2(1.0e9, 0.0);
                     object = k;
                     gradient = curved.sum.xyz;
                     change = curved.change;
@@ -147,25 +156,33 @@ Hit intersect(Segment segment, uint objects, float departs) {
                 trial = back > s && back < beyond ? back : 0.5 * (s + beyond);
             } else {
                 float probe = -1.0;
-                if (beyond <= s)
-                    for (int k = 0; k < kObjects; ++k)
-                        if (((known & close) >> k & 1u) == 1u && own[k].y < 0.0 && here[k].y > 0.0) {
-                            float h = trial - s;
-                            vec2 dip = dipOf(own[k].x, own[k].y * h, here[k].x, here[k].y * h);
-                            if (dip.y < 0.0 && (probe < 0.0 || dip.x * h < probe)) probe = dip.x * h;
-                        }
+                if (beyond <= s) {
+                    ObjectSet both = known & close;
+                    rest = both;
+                    for (int i = 0; i < slotsOf(both); ++i) {
+                        int k = objectAt(rest, i);
+                        if (passesOver(both, k)) continue;
+                        vec2 before = own[slotOf(known, k)];
+                        vec2 now = here[slotOf(close, k)];
+                        if (before.y >= 0.0 || now.y <= 0.0) continue;
+                        float h = trial - s;
+                        vec2 dip = dipOf(before.x, before.y * h, now.x, now.y * h);
+                        if (dip.y < 0.0 && (probe < 0.0 || dip.x * h < probe)) probe = dip.x * h;
+                    }
+                }
                 if (probe > 0.0) {
                     trial = s + probe;
-                    known = 0u; // looked at once
+                    known = ObjectSet(0u); // looked at once
                 } else {
                     s = trial;
                     own = here;
                     known = close;
                     float ahead = kNearStep;
-                    for (int k = 0; k < kObjects; ++k)
-                        if (((close >> k) & 1u) == 1u)
-                            ahead = min(ahead, here[k].y < 0.0 ? -here[k].x / here[k].y
-                                                               : max(here[k].x, 0.5));
+                    rest = close;
+                    for (int i = 0; i < slotsOf(close); ++i)
+                        if (!passesOver(close, objectAt(rest, i)))
+                            ahead = min(ahead, here[i].y < 0.0 ? -here[i].x / here[i].y
+                                                               : max(here[i].x, 0.5));
                     trial = s + max(ahead, 1.0e-3);
                     if (beyond > s && trial >= beyond) trial = 0.5 * (s + beyond);
                     trial = min(trial, segment.extent);
@@ -186,7 +203,7 @@ bool isBeforeFace(Hit hit, vec3 x, float beyond) {
 
 // The same on a straight way, of which only what lies in the boundaries' box is searched. A boundary on
 // the domain's face, where the way ends, is met.
-Hit intersectStraight(vec3 x, vec3 direction, float reach, uint objects, float departs) {
+Hit intersectStraight(vec3 x, vec3 direction, float reach, ObjectSet objects, float departs) {
     vec2 span = boxSpan(x, direction, scene.low.xyz, scene.high.xyz);
     float from = max(span.x, 0.0);
     float to = min(span.y, reach) + kFlush;

@@ -3,25 +3,23 @@
 #include "shared/bindings.h"
 #include "shared/limits.h"
 #include "shared/scene_params.h"
+#include "transport/object_set.glsl"
 #include "transport/spline.glsl"
 
-#ifndef OBJECTS
-#error OBJECTS must be 0 (blurred boundaries) to 12
-#endif
-const int kObjects = OBJECTS;
 #ifndef PACKED
 #error PACKED must be 0 or 1
 #endif
 const bool kPacked = PACKED == 1; // distances take 3/8 of the memory, and twice the look-ups
-const int kObjectSlots = OBJECTS > 0 ? OBJECTS : 1;
 
 layout(std140, binding = kSceneBlock) uniform Scene { SceneParams scene; };
 layout(binding = kDistancesUnit) uniform sampler3D distances; // spline coefficients [voxel], unfiltered
-layout(binding = kBlocksUnit) uniform usampler3D blocks; // where each object's blocks of cells are in it
+// Where each object's blocks of cells are in it: tables one behind the other along z; of many a list.
+layout(binding = kBlocksUnit) uniform usampler3D blocks;
 layout(binding = kClearanceUnit) uniform sampler3D clearance;
 // Of several objects, per cube, 16 bits: those that hold its centre; 16 bits: those whose boundary is
-// within kNearby of a voxel of it.
+// within kNearby of a voxel of it. Of many the place of both sets in a list, the latter first.
 layout(binding = kNearbyUnit) uniform usampler3D nearby;
+layout(binding = kSetsUnit) uniform usampler3D sets;
 
 // What a filtered clearance may be too large by [cube's edge]: a smooth one is interpolated well; of
 // several objects it has a crease at every boundary; far off it is a bound for its cube's centre alone.
@@ -33,9 +31,32 @@ float roughness() {
     return kRough * scene.clearance.w;
 }
 
-// Bits of the objects whose boundary is near.
-uint closeTo(vec3 x) {
-    return kObjects == 1 ? 1u : textureLod(nearby, (x + 0.5) * scene.clearance.xyz, 0.0).x >> 16u;
+// Where an entry of a list lies in its texture.
+ivec3 placeInRows(uint entry) {
+    const uint row = (1u << kRowBits) - 1u;
+    return ivec3(entry & row, entry >> kRowBits & row, entry >> 2 * kRowBits);
+}
+
+uint nearbyAt(vec3 x) {
+    return textureLod(nearby, (x + 0.5) * scene.clearance.xyz, 0.0).x;
+}
+
+// The objects whose boundary is near.
+ObjectSet closeTo(vec3 x) {
+#if NEAR > 0
+    return texelFetch(sets, placeInRows(nearbyAt(x)), 0).xy;
+#else
+    return kObjects == 1 ? 1u : nearbyAt(x) >> 16u;
+#endif
+}
+
+// The objects that hold the centre of x's cube; none of one object alone.
+ObjectSet holding(vec3 x) {
+#if NEAR > 0
+    return texelFetch(sets, placeInRows(nearbyAt(x)), 0).zw;
+#else
+    return kObjects == 1 ? 0u : nearbyAt(x) & 0xFFFFu;
+#endif
 }
 
 // How far off the nearest boundary is, but for roughness(); of one object alone with its sign.
@@ -61,12 +82,22 @@ struct Cell {
     float far;  // no boundary is near: what stands for the distance [voxel]; else 0
 };
 
+// Where the block of an object's cells is in the atlas, or kFarBlock and its like.
+uint placeOf(int k, ivec3 block) {
+    if (!kMany) return texelFetch(blocks, block + ivec3(0, 0, k * int(scene.reach.w)), 0).x;
+    BlockBox box = scene.boxes[k];
+    ivec3 at = block - box.low.xyz;
+    bool within = all(greaterThanEqual(at, ivec3(0))) && all(lessThan(at, box.size.xyz));
+    int entry = within ? box.low.w + (at.z * box.size.y + at.y) * box.size.x + at.x : 0;
+    uint place = texelFetch(blocks, placeInRows(uint(entry)), 0).x;
+    return within ? place : kFarBlock;
+}
+
 Cell cellAt(int k, vec3 x) {
     x = clamp(x, vec3(-0.999), scene.reach.xyz);
     vec3 cell = floor(x);
     ivec3 corner = ivec3(cell) + 1;
-    ivec3 block = corner >> kBlockBits;
-    uint place = texelFetch(blocks, block + ivec3(0, 0, k * int(scene.reach.w)), 0).x;
+    uint place = placeOf(k, corner >> kBlockBits);
     ivec3 first = ivec3(place & 1023u, place >> 10 & 1023u, place >> 20 & 1023u);
     ivec3 within = corner & kBlockCells - 1;
     ivec3 texel = first * ivec3(kPacked ? kPackedTexels : kBlockCells, kBlockRows, kBlockRows) +

@@ -1,13 +1,14 @@
 // A path of light: where it is, what it is in, what has become of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lib/ray.glsl"
+#include "transport/object_set.glsl"
 #include "transport/status.glsl"
 
 struct Path {
     Ray ray;
     Ray lost;         // what rounding has kept back of it
     vec3 throughput;  // what is left of its light, or the share of what it meets that the eye sees
-    uint objects;     // those it is in, a bit each
+    ObjectSet objects; // those it is in, a bit each
     int depth;        // interfaces met
     float departs;    // how steeply it leaves the interface it starts on; 0: on none
     int status;
@@ -18,7 +19,7 @@ struct Path {
 };
 
 Path pathFrom(vec3 x, vec3 w, int mostSteps) {
-    return Path(Ray(x, w), Ray(vec3(0.0), vec3(0.0)), vec3(1.0), 0u, 0, 0.0, kAlive, 0, mostSteps,
+    return Path(Ray(x, w), Ray(vec3(0.0), vec3(0.0)), vec3(1.0), ObjectSet(0u), 0, 0.0, kAlive, 0, mostSteps,
                 0.0, dvec2(0.0));
 }
 

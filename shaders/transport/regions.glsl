@@ -31,8 +31,8 @@ struct Coefficients {
 };
 
 // +1 outside the object, −1 inside: turns its distance into that from this side.
-float sideOf(uint objects, int k) {
-    return ((objects >> k) & 1u) == 1u ? -1.0 : 1.0;
+float sideOf(ObjectSet objects, int k) {
+    return contains(objects, k) ? -1.0 : 1.0;
 }
 
 const float kTouch = 0.1;         // objects this close touch [voxel]
@@ -45,30 +45,30 @@ float roundingAt(vec3 x) {
 // The objects that hold a path's start at x. One that lies on a boundary, or on a face of the domain that a
 // boundary lies along, is before the boundary or, if `behind`, past it: the sign of a distance of rounding's
 // size tells nothing.
-uint objectsAt(vec3 x, vec3 direction, bool behind) {
-    vec3 at = (x + 0.5) * scene.clearance.xyz;
-    uint inside = kObjects == 1 ? 0u : textureLod(nearby, at, 0.0).x & 0xFFFFu;
-    uint close = closeTo(x);
-    for (int k = 0; k < kObjects; ++k)
-        if (((close >> k) & 1u) == 1u) {
-            float free = kObjects == 1 ? clearanceAt(x) : 0.0;
-            bool holds = free < 0.0;
-            if (abs(free) < 2.0 * roughness()) {
-                vec4 found = distanceAt(k, x);
-                float slope = dot(found.xyz, direction);
-                float error = liesAlongFace(x, found.xyz) ? kFlush : roundingAt(x);
-                bool told = abs(found.w) > error || abs(slope) < 1.0e-5; // or it runs along it
-                holds = told ? found.w < 0.0 : (slope < 0.0) == behind;
-            }
-            inside &= ~(1u << k);
-            inside |= (holds ? 1u : 0u) << k;
+ObjectSet objectsAt(vec3 x, vec3 direction, bool behind) {
+    ObjectSet inside = holding(x);
+    ObjectSet close = closeTo(x);
+    ObjectSet rest = close;
+    for (int i = 0; i < slotsOf(close); ++i) {
+        int k = objectAt(rest, i);
+        if (passesOver(close, k)) continue;
+        float free = kObjects == 1 ? clearanceAt(x) : 0.0;
+        bool holds = free < 0.0;
+        if (abs(free) < 2.0 * roughness()) {
+            vec4 found = distanceAt(k, x);
+            float slope = dot(found.xyz, direction);
+            float error = liesAlongFace(x, found.xyz) ? kFlush : roundingAt(x);
+            bool told = abs(found.w) > error || abs(slope) < 1.0e-5; // or it runs along it
+            holds = told ? found.w < 0.0 : (slope < 0.0) == behind;
         }
+        inside = changed(inside, k, holds);
+    }
     return inside;
 }
 
 // The region that rules where these objects are.
-int regionOf(uint objects) {
-    return kObjects == 0 ? 0 : findLSB(objects | (1u << kObjects));
+int regionOf(ObjectSet objects) {
+    return kObjects == 0 ? 0 : firstOf(objects);
 }
 
 bool isOpaque(int region) {

@@ -67,7 +67,7 @@ const bool kEqualSteps = true;
 struct Branch {
     Ray ray;
     vec3 throughput;
-    uint objects;
+    ObjectSet objects;
     int depth;
     float departs;
 };

@@ -40,6 +40,7 @@ std::vector<Owned> sharpViewBindings() {
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
             {"environment map", of({}, {}, {kEnvironmentUnit})},
             {"several objects", of({}, {}, {kNearbyUnit})},
+            {"many objects", of({}, {}, {kSetsUnit})},
             {"opaque object", of({}, {}, {kDirectionUnit, kFluenceUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
@@ -64,7 +65,8 @@ std::vector<Owned> sharpPhotonBindings() {
             {"colour", {}},
             {"direction", {}},
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
-            {"several objects", of({}, {}, {kNearbyUnit})}};
+            {"several objects", of({}, {}, {kNearbyUnit})},
+            {"many objects", of({}, {kObjectsBuffer}, {kSetsUnit})}};
 }
 
 } // namespace

@@ -113,6 +113,19 @@ volume::Volume glassBeside(const Scale& scale, const Fill& fill) {
     return scene.take();
 }
 
+/// A glass ball and more objects than kernels visit all of.
+volume::Volume glassInCrowd(const Scale& scale) {
+    SceneVolume scene(scale.voxels);
+    scene.constant("ior", 1, dvec3(1.5)).solid("glass", 0, ballDistance).own("ior", "glass", 1.5);
+    for (int k = 1; k < 8; ++k) {
+        const std::string name = "other" + std::to_string(k);
+        const dvec3 corner(k & 1 ? 0.8 : -0.8, k & 2 ? 0.8 : -0.8, k & 4 ? 0.8 : -0.8);
+        scene.solid(name, k, [=](dvec3 p) { return glm::length(p - corner) - 0.15; });
+        scene.own("ior", name, 1.5);
+    }
+    return scene.take();
+}
+
 /// A Luneburg lens of glass, n² = 2.25 (2 − 4 r²), which goes on beyond its rim.
 void gradeIndex(SceneVolume& scene) {
     scene.add("ior", 1, [](dvec3 p) {
@@ -304,6 +317,8 @@ std::vector<Case> sharpViewCases(const Scale& scale) {
         viewCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
     cases.push_back(viewCase("a second object, opaque", {"several objects", "opaque object"},
                              glassBeside(scale, opaqueOther), params));
+    cases.push_back(viewCase("eight objects", {"several objects", "many objects"},
+                             glassInCrowd(scale), params));
     view::Params deeper = params;
     deeper.maxDepth = 64;
     cases.push_back(viewCase("--max-depth 64", {}, glassOf(scale, {}), deeper));
@@ -364,6 +379,8 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
         photonCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
     cases.push_back(photonCase("a second object, opaque", {"several objects"},
                                glassBeside(scale, opaqueOther), params));
+    cases.push_back(photonCase("eight objects", {"several objects", "many objects"},
+                               glassInCrowd(scale), params));
     const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {
         lightsim::Params changed = params;
         changed.tracing = tracing;

@@ -15,7 +15,7 @@ namespace judge {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr size_t kMostSolids = 8;
+constexpr size_t kMostSolids = 64;
 
 Chord ballChord(const Solid& ball, const dvec3& x, const dvec3& d) {
     const dvec3 r = x - ball.centre;

@@ -40,7 +40,7 @@ Solid luneburgBall(dvec3 centre, double radius, double rim);
 Solid gradedBall(dvec3 centre, double radius, Profile n, Profile slope);
 
 /// Where solids overlap the one of higher priority is there, of equals the later. Nothing else may
-/// be within a graded one. At most 8 solids.
+/// be within a graded one. At most 64 solids.
 struct Glass {
     std::vector<Solid> solids;
     double around = 1; ///< n outside them all [1]

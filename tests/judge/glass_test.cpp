@@ -373,6 +373,6 @@ TEST(Beams, ABallsLightIsThatOfTheBallsOwnPhotons) {
 TEST(Beams, NothingGradedAndNoCrowds) {
     const Grid grid{dvec3(0), 1, ivec3(4)};
     EXPECT_THROW(beamFluence({{luneburgBall(kCentre, 5, 1.5)}}, {}, grid), std::invalid_argument);
-    const Glass crowd{std::vector<Solid>(9, glassBall(kCentre, 1, 1.5))};
+    const Glass crowd{std::vector<Solid>(65, glassBall(kCentre, 1, 1.5))};
     EXPECT_THROW(followAll(crowd, {dvec3(0), {1, 0, 0}}), std::invalid_argument);
 }

@@ -239,6 +239,56 @@ TEST(LightSharp, LayersThatTouchAreOneBoundary) {
     }
 }
 
+TEST(LightSharp, FortyLayersThatTouch) {
+    // Those that light meets first have the highest numbers. It takes photons several launches.
+    const ivec3 size(4, 4, 120);
+    const auto indexOf = [](int k) { return k % 2 == 0 ? 1.3 : 1.5; };
+    TestVolume layers(size);
+    for (int k = 0; k < 40; ++k) {
+        const std::string name = std::to_string(100 + k);
+        layers.add("sdf." + name, slab(8.4 + 2.5 * k, 10.9 + 2.5 * k), 1e3);
+        layers.constant("ior." + name, indexOf(k));
+    }
+    Params params = paramsOf({beam({0, 0, 1})}, 1 << 13);
+    params.maxDepth = 1000;
+    const Lit clear = lit(layers, params);
+    const auto between = [](double a, double b) {
+        return boundary((a - b) * (a - b) / ((a + b) * (a + b)));
+    };
+    Layers all = between(1, indexOf(0));
+    for (int k = 1; k < 40; ++k) all = behind(all, between(indexOf(k - 1), indexOf(k)));
+    const Layers before = all;
+    all = behind(all, between(indexOf(39), 1));
+    // 2^13 photons, of which the share reflected is off by some tens.
+    EXPECT_NEAR(mean(clear, {0, 0, 112}, {4, 4, 119}), all.through, 1e-2);
+    EXPECT_NEAR(mean(clear, {0, 0, 1}, {4, 4, 7}), 1 + all.back, 1e-2);
+    // The last layer absorbs: e^(−σd) once through it and once back.
+    const double sigma = 0.3, kept = std::exp(-2.5 * sigma);
+    layers.constantVector("absorption.139", dvec3(sigma));
+    const Lit dim = lit(layers, params);
+    const double R = between(indexOf(39), 1).back;
+    const Layers last{kept * (1 - R), kept * kept * R};
+    EXPECT_NEAR(mean(dim, {0, 0, 112}, {4, 4, 119}), behind(before, last).through, 1e-2);
+    EXPECT_NEAR(dim.stats.energy.absorbed[0] / dim.stats.energy.entered[0],
+                1 - behind(before, last).through - behind(before, last).back, 1e-2);
+}
+
+TEST(LightSharp, LightThatEntersWithinOneOfManyObjects) {
+    // It reaches beyond the domain's face and, first of forty, has the highest number.
+    const ivec3 size(4, 4, 120);
+    const double n = 1.3, sigma = 0.1;
+    TestVolume layers(size);
+    for (int k = 0; k < 40; ++k) {
+        const std::string name = std::to_string(100 + k);
+        layers.add("sdf." + name, slab(k == 0 ? -9 : 8.4 + 2.5 * k, 10.9 + 2.5 * k), 1e3);
+        layers.constant("ior." + name, n);
+    }
+    layers.constantVector("absorption.100", dvec3(sigma));
+    const Lit found = lit(layers, paramsOf({beam({0, 0, 1})}, 1 << 13));
+    const double R = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
+    EXPECT_NEAR(mean(found, {0, 0, 112}, {4, 4, 119}), std::exp(-10.9 * sigma) * (1 - R), 2e-3);
+}
+
 TEST(LightSharp, AnOpaqueObjectHasASharpShadow) {
     const Distance edge = [](dvec3 p) { return std::max(p.x - 12.25, 10 - p.z); };
     TestVolume block = sceneVolume({24, 8, 24}, edge, 1);

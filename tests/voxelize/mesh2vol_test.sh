@@ -271,20 +271,35 @@ test_objects_of_a_file() {
     says "lid.obj: 'far': bounds no volume: open"
 }
 
-# Thirteen boxes beside one another: one more than later stages take.
-test_many_objects() {
+# So many boxes beside one another.
+boxes() {
     local k
-    for k in $(seq 0 12); do
+    for k in $(seq 0 $(($1 - 1))); do
         echo "o box$k"
         awk -v k="$k" '/^v/ {print "v", $2 + 2 * k, $3, $4}
             /^f/ {for (i = 2; i <= 5; ++i) $i += 8 * k; print}' box.obj
-    done >many.obj
+    done
+}
+
+test_many_objects() {
+    boxes 13 >many.obj
     makes many.vdb many.obj --ior 1.5 --voxel-size 0.2
     says "many.obj: 13 objects, all alike and more than 12, are taken as one"
     has_grids many.vdb ior ior.many sdf
     makes many.vdb many.obj --voxel-size 0.2 $(printf -- '--ior 1.%s ' $(seq 10 22))
-    says "warning: 13 objects: lightsim and render take 12"
     lines_of many.vdb 13 'class: level set'
+    # As many as later stages take, and one more: in one file, or of a file each.
+    local of
+    boxes 64 >many.obj
+    makes many.vdb many.obj --voxel-size 0.5 $(printf -- '--ior 1.%s ' $(seq 10 73))
+    lines_of many.vdb 64 'class: level set'
+    boxes 65 >many.obj
+    of=$(printf -- '--ior 1.%s ' $(seq 10 74))
+    refuses 64 many.obj -o out.vdb --voxel-size 0.5 $of
+    says "MESH: found 65 objects, expected at most 64 with sharp boundaries (--boundary blurred"
+    makes many.vdb many.obj --voxel-size 0.5 --boundary blurred $of
+    refuses 64 $(printf 'box.obj %.0s' $(seq 65)) -o out.vdb --ior 1.5
+    says "MESH: found 65 objects, expected at most 64"
 }
 
 test_names() {

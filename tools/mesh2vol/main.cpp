@@ -37,11 +37,10 @@ void accept(tool::Session& session, const std::string& title, bool repair, mesh:
     for (const std::string& warning : found.warnings) session.warn(title + ": " + warning);
 }
 
-/// More objects of a file than later stages take are one where no option tells them apart: light
-/// is the same.
+/// Many objects of a file are one where no option tells them apart.
 void joinAlike(tool::Session& session, const mesh2vol::Options& o, const std::string& title,
                std::vector<mesh::Part>& parts) {
-    const auto most = static_cast<size_t>(voxelize::mostSharpObjects());
+    constexpr size_t most = voxelize::kMostAlike;
     if (parts.size() <= most || mesh2vol::tellsObjectsApart(o)) return;
     session.note(title + ": " + std::to_string(parts.size()) +
                  " objects, all alike and more than " + std::to_string(most) +
@@ -121,10 +120,6 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
     voxelize::Params params = mesh2vol::paramsOf(o, objects.sources);
     for (size_t k = 0; k < params.objects.size(); ++k)
         params.objects[k].mesh = std::move(objects.meshes[k]);
-    if (params.sharp && params.objects.size() > static_cast<size_t>(voxelize::mostSharpObjects()))
-        session.warn(std::to_string(params.objects.size()) + " objects: lightsim and render take " +
-                     std::to_string(voxelize::mostSharpObjects()) +
-                     " with sharp boundaries, any number with --boundary blurred");
     session.pass("smooth", [&] {
         for (const std::string& warning : voxelize::curveObjects(params, session.stats()))
             session.warn(warning);

@@ -121,6 +121,7 @@ inline void checkBeforeReading(const Options& o) {
     for (PerMesh& option : each.perMesh)
         if (!option.given.empty()) option.given.resize(most, std::string(option.given.back()));
     voxelize::Params params = sceneOf(each);
+    if (params.sharp) voxelize::requireSharpCount(most);
     params.sharp = false; // names are looked at when all are known
     for (size_t k = 0; k < most; ++k) {
         params.objects.push_back(objectOf({each, {k, most, k, most}}));
