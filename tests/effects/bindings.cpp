@@ -45,8 +45,7 @@ std::vector<Owned> sharpViewBindings() {
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
 
-const std::vector<int> kPhotonBuffers{kCountBuffer, kPhotonsBuffer, kListBuffer, kNextListBuffer,
-                                      kBricksBuffer};
+const std::vector<int> kPhotonBuffers{kCountBuffer, kPhotonsBuffer, kListBuffer, kNextListBuffer};
 
 std::vector<Owned> photonBindings() {
     return {

@@ -3,6 +3,9 @@ eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/cur
              view/samples_test.cpp LIBRARIES judge
              LONG "LinearSamples.AreNoWorseThanPlainOnesAtEdges*" "ViewKink.*")
 
+# The structs that shaders and C++ share are from there.
+target_include_directories(test_view SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
+
 eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
                                      ${CMAKE_BINARY_DIR})
 eikonal_run(render_files COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_files_test.sh
