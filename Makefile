@@ -75,11 +75,13 @@ accuracy: packages
 	  --page docs/accuracy.md
 	gnuplot -e "work='$(OUT)/accuracy'; docs='docs/accuracy'" pipelines/accuracy.gp
 
-# What finer voxels and more pixels cost: docs/scale.md.
+# What more voxels, pixels, photons, lights, objects, triangles cost: docs/scale.md. SCALE="lights objects"
+# makes those tables anew and takes the others from the last run.
 scale: packages
 	$(MAKE) all
 	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
-	pipelines/scale.sh $(BUILD)/bin data/bunny.off $(OUT)/scale docs/scale.md
+	pipelines/scale.sh $(BUILD)/bin data/bunny.off $(OUT)/scale docs/scale.md '$(SCALE)'
+	gnuplot -e "work='$(OUT)/scale'; page='docs/scale.svg'" pipelines/scale.gp
 
 # What each effect costs, and what kernels without it leave out: docs/effects.md, out/effects.json.
 effects: packages
