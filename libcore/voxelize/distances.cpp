@@ -26,6 +26,8 @@ using glm::ivec3;
 constexpr double kPiece = 1.0 / 16; // [voxel] where faces cross
 constexpr int kBlock = 32;          // voxels along the edge of what one thread does at a time
 constexpr int kListed = 4;          // of what has a list of faces of its own
+// Where faces are smaller than that [voxel] lists are longer than the way through the tree.
+constexpr double kFine = 0.4;
 
 /// The mesh in index space [voxel], where voxel i's middle is at i.
 mesh::TriangleMesh inVoxels(const mesh::TriangleMesh& mesh, const Lattice& lattice) {
@@ -55,6 +57,10 @@ public:
             mFaces.emplace_back(boundary.points[face.x], boundary.points[face.y],
                                 boundary.points[face.z]);
         if (!boundary.normals.empty()) bend(boundary);
+        double radii = 0;
+        for (const Face& face : mFaces) radii += face.radius;
+        const bool fine = radii < kFine * static_cast<double>(mFaces.size());
+        mListed = fine ? 1 : kListed;
     }
 
     volume::BrickGrid measure() const {
@@ -132,7 +138,8 @@ private:
         const auto nearest = mTree.nearest(middle, reach * reach, hint);
         if (nearest.face == mesh::TriangleTree::kNone) return;
         if (edge == volume::kBrick) begin(low, found);
-        if (edge == kListed) {
+        if (edge == 1 && mBulge == 0) return store(low, std::sqrt(nearest.squared), found);
+        if (edge == mListed) {
             mTree.within(middle, std::sqrt(nearest.squared) + 2 * (toCorner + mBulge) + kRounding,
                          lists[0]);
             return measure(low, edge, lists, found);
@@ -256,6 +263,7 @@ private:
     std::vector<Face> mFaces;
     std::vector<mesh::CurvedFace> mCurved; // of a mesh with normals
     double mBulge = 0;                     // the greatest of the faces'
+    int mListed = kListed;                 // voxels an edge of cubes with lists
     const Sides& mSides;
     ivec3 mSize;
     double mHalfWidth, mVoxelSize;
