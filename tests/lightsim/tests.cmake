@@ -1,6 +1,7 @@
 eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test.cpp
              lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/run_test.cpp lightsim/sharp_test.cpp
-             LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightReceivingLong.*")
+             LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
+                                          "LightRun.BatchesChange*" "LightReceivingLong.*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})

@@ -5,4 +5,5 @@ eikonal_test(test_sharp SOURCES sharp/ball_test.cpp sharp/fine_test.cpp sharp/fl
              sharp/objects_test.cpp sharp/paged_test.cpp sharp/unlit_test.cpp
              LIBRARIES test_support
              LONG "Paged.SharpMedia*" "SharpFine.Packed*" "SharpGraded.*" "SharpMany.FortyShells"
+                  "SharpMany.SixtyFourBalls*" "SharpObjects.AShellAndWhatFillsIt"
                   "SharpBall.FirstFourOrdersAreFresnels")
