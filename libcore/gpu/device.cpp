@@ -245,11 +245,13 @@ void Device::requireFit(const std::vector<Need>& needs) const {
             throw MemoryError(need.what + " needs " + bytesText(static_cast<double>(need.bytes)) +
                               " in one buffer, the device allows " +
                               bytesText(static_cast<double>(limits.storageBufferBytes)));
-        if (need.edge3d > limits.texture3d)
-            throw MemoryError(need.what + " needs " + bytesText(static_cast<double>(need.bytes)) +
-                              " in a texture " + std::to_string(need.edge3d) +
-                              " texels long, the device allows " +
-                              std::to_string(limits.texture3d));
+        for (const auto& [edge, most] :
+             {std::pair(need.edge3d, limits.texture3d), std::pair(need.edge2d, limits.texture2d)})
+            if (edge > most)
+                throw MemoryError(need.what + " needs " +
+                                  bytesText(static_cast<double>(need.bytes)) + " in a texture " +
+                                  std::to_string(edge) + " texels long, the device allows " +
+                                  std::to_string(most));
     }
     if (limits.memoryBytes > 0 && total > static_cast<double>(limits.memoryBytes))
         throw MemoryError("the device needs " + bytesText(total) + ", has " +

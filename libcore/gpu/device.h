@@ -45,6 +45,7 @@ struct Need {
     std::int64_t bytes = 0;
     bool storageBuffer = false; ///< held to Limits::storageBufferBytes
     int edge3d = 0;             ///< longest edge, if a 3-D texture
+    int edge2d = 0;             ///< the same of a 2-D texture
 };
 
 /// Owns the context, current on the thread that made it, until destroyed. Every gpu object needs

@@ -243,12 +243,18 @@ CurvedFace::Slopes CurvedFace::slopesAt(const dvec2& uv) const {
             twice[2] - 2.0 * mixed[2] + twice[0]};
 }
 
-CurvedFace::Nearest CurvedFace::nearest(const dvec3& x) const {
+CurvedFace::Start CurvedFace::flatNearest(const dvec3& x) const {
+    const auto& [a, b, c] = mCorners;
+    const dvec2 uv = nearestWeights(x, a, b, c);
+    return {uv, squared(a + uv.x * (b - a) + uv.y * (c - a) - x)};
+}
+
+CurvedFace::Nearest CurvedFace::nearest(const dvec3& x, const Start& start) const {
     // Newton's step is the point of the parameters' triangle nearest to its goal, as the second
     // derivatives measure length: so sides and corners need no case of their own.
     constexpr int kSteps = 8;
     constexpr double kEnough = 1e-9;
-    dvec2 uv = nearestWeights(x, mCorners[0], mCorners[1], mCorners[2]);
+    dvec2 uv = start.uv;
     Slopes here = slopesAt(uv);
     double best = squared(here.x - x);
     for (int step = 0; step < kSteps; ++step) {

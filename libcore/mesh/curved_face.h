@@ -57,8 +57,14 @@ public:
         double squared; ///< of the distance
         double height;  ///< of x above the face at its nearest point, negative behind it
     };
-    /// The point nearest to x, by Newton's method from the flat face's.
-    Nearest nearest(const glm::dvec3& x) const;
+    /// Where the flat face is nearest to x.
+    struct Start {
+        glm::dvec2 uv;
+        double squared; ///< of the distance from there
+    };
+    Start flatNearest(const glm::dvec3& x) const;
+    /// The point nearest to x, by Newton's method from there.
+    Nearest nearest(const glm::dvec3& x, const Start& start) const;
 
 private:
     struct Slopes {

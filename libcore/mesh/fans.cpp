@@ -3,11 +3,11 @@
 #include "mesh/fans.h"
 
 #include "mesh/fit_normals.h"
+#include "mesh/groups.h"
 #include "mesh/shells.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace eikonal::mesh {
@@ -48,9 +48,7 @@ class Finder {
 public:
     Finder(const TriangleMesh& mesh, double degrees)
         : mMesh(mesh), mNormals(faceNormals(mesh)), mCosine(std::cos(glm::radians(degrees))),
-          mParents(3 * mesh.triangles.size()) {
-        std::iota(mParents.begin(), mParents.end(), 0u);
-    }
+          mGroups(3 * mesh.triangles.size()) {}
 
     Fans run() {
         const std::vector<FaceEdge> edges = sortedEdges(mMesh);
@@ -67,15 +65,6 @@ public:
     }
 
 private:
-    std::uint32_t rootOf(std::uint32_t i) {
-        while (mParents[i] != i) i = mParents[i] = mParents[mParents[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        mParents[std::max(a, b)] = std::min(a, b);
-    }
     std::uint32_t cornerAt(std::uint32_t face, std::uint32_t point) const {
         const glm::uvec3& f = mMesh.triangles[face];
         return 3 * face + (f.x == point ? 0 : f.y == point ? 1 : 2);
@@ -102,17 +91,18 @@ private:
             return;
         }
         if (!sameOwn(lowA, lowB) || !sameOwn(highA, highB)) return;
-        join(lowA, lowB);
-        join(highA, highB);
+        mGroups.join(lowA, lowB);
+        mGroups.join(highA, highB);
     }
 
     Fans number() {
         Fans fans;
         fans.of.resize(mMesh.triangles.size());
-        std::vector<std::uint32_t> numbers(mParents.size());
+        const std::vector<std::uint32_t> roots = mGroups.roots();
+        std::vector<std::uint32_t> numbers(roots.size());
         std::uint32_t count = 0;
-        for (std::uint32_t corner = 0; corner < mParents.size(); ++corner) {
-            const std::uint32_t root = rootOf(corner);
+        for (std::uint32_t corner = 0; corner < roots.size(); ++corner) {
+            const std::uint32_t root = roots[corner];
             if (root == corner) numbers[corner] = count++;
             fans.of[corner / 3][static_cast<int>(corner % 3)] = numbers[root];
         }
@@ -126,7 +116,7 @@ private:
     }
 
     template<typename Act> void eachCorner(const Fans& fans, const Act& act) const {
-        for (std::uint32_t corner = 0; corner < mParents.size(); ++corner)
+        for (std::uint32_t corner = 0; corner < 3 * mNormals.size(); ++corner)
             if (mNormals[corner / 3] != dvec3(0)) act(corner, fanOf(fans, corner));
     }
 
@@ -184,7 +174,7 @@ private:
     const TriangleMesh& mMesh;
     std::vector<dvec3> mNormals;
     double mCosine;
-    std::vector<std::uint32_t> mParents;
+    Groups mGroups;                                               ///< of corners
     std::vector<std::pair<std::uint32_t, std::uint32_t>> mParted; ///< corners beside kept edges
 };
 

@@ -49,6 +49,11 @@ gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map
                            });
 }
 
+gpu::Need mapNeed(const image::Image& map) {
+    const std::int64_t texels = std::int64_t{map.width} * map.height;
+    return {"the environment map", texels * 16, false, 0, std::max(map.width, map.height)};
+}
+
 void tellBackground(ViewParams& values, const scene::Scene& scene, const Params& params,
                     const std::optional<image::Image>& map) {
     const bool byEdges = map && map->envmap == image::Envmap::latLong;

@@ -15,6 +15,9 @@ namespace eikonal::view {
 /// The map as a texture; none if there is none.
 gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map);
 
+/// What it takes on the device, at most.
+gpu::Need mapNeed(const image::Image& map);
+
 /// Tells the kernel what rays see that leave the domain.
 void tellBackground(ViewParams& values, const scene::Scene& scene, const Params& params,
                     const std::optional<image::Image>& map);

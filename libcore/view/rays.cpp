@@ -52,17 +52,18 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
 }
 
 template<typename Pack>
-Texture padded(gpu::Device& device, const Plan& plan, TexelFormat format, bool floorAtZero,
-               const Pack& pack) {
+Texture voxelTexture(gpu::Device& device, const Plan& plan, TexelFormat format, bool floorAtZero,
+                     const Pack& pack) {
     return scene::makeVoxelTexture(device, plan.scene.layout, format, floorAtZero, pack);
 }
 
 /// Per voxel the three components of some values, times a factor.
-Texture paddedRgb(gpu::Device& device, const Plan& plan, const scene::Values& values,
-                  float factor) {
-    return padded(device, plan, TexelFormat::rgba32f, true, [&](const glm::ivec3& i, float* out) {
-        for (int c = 0; c < 3; ++c) out[c] = values.at(i, c) * factor;
-    });
+Texture rgbTexture(gpu::Device& device, const Plan& plan, const scene::Values& values,
+                   float factor) {
+    return voxelTexture(device, plan, TexelFormat::rgba32f, true,
+                        [&](const glm::ivec3& i, float* out) {
+                            for (int c = 0; c < 3; ++c) out[c] = values.at(i, c) * factor;
+                        });
 }
 
 /// In voxel space, times the fluence's sum over rgb, and g beside it: an interpolated mean
@@ -71,16 +72,17 @@ Texture makeDirection(gpu::Device& device, const Plan& plan) {
     const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()));
     const scene::Values& direction = plan.scene.light.direction;
     const scene::Values& fluence = plan.scene.light.fluence;
-    return padded(device, plan, TexelFormat::rgba32f, false, [&](const glm::ivec3& i, float* out) {
-        const float light = fluence.at(i, 0) + fluence.at(i, 1) + fluence.at(i, 2);
-        const glm::vec3 d =
-            light * (voxelFromWorld *
-                     glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2)));
-        out[0] = d.x;
-        out[1] = d.y;
-        out[2] = d.z;
-        out[3] = plan.scene.medium().anisotropy.at(i, 0);
-    });
+    return voxelTexture(
+        device, plan, TexelFormat::rgba32f, false, [&](const glm::ivec3& i, float* out) {
+            const float light = fluence.at(i, 0) + fluence.at(i, 1) + fluence.at(i, 2);
+            const glm::vec3 d =
+                light * (voxelFromWorld *
+                         glm::vec3(direction.at(i, 0), direction.at(i, 1), direction.at(i, 2)));
+            out[0] = d.x;
+            out[1] = d.y;
+            out[2] = d.z;
+            out[3] = plan.scene.medium().anisotropy.at(i, 0);
+        });
 }
 
 /// Light without a stored direction falls on surfaces from all sides.
@@ -107,7 +109,7 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
         return scattered * kIsotropicPhase + medium.emission.at(i, c) * h;
     };
     const auto pack = [&](int components, TexelFormat format, const auto& values) {
-        return padded(device, plan, format, true, [&](const glm::ivec3& i, float* out) {
+        return voxelTexture(device, plan, format, true, [&](const glm::ivec3& i, float* out) {
             for (int c = 0; c < components; ++c) out[c] = values(i, c);
         });
     };
@@ -122,13 +124,14 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
         media.extinction = pack(1, TexelFormat::r32f, sigma);
     }
     if (plan.anisotropic && plan.emits)
-        media.emission = paddedRgb(device, plan, medium.emission, h);
+        media.emission = rgbTexture(device, plan, medium.emission, h);
     if (plan.opaque)
-        media.opacity =
-            padded(device, plan, TexelFormat::rgba32f, true, [&](const glm::ivec3& i, float* out) {
-                out[0] = medium.opacity.at(i, 0);
-                for (int c = 0; c < 3; ++c) out[1 + c] = medium.albedo.at(i, c);
-            });
+        media.opacity = voxelTexture(device, plan, TexelFormat::rgba32f, true,
+                                     [&](const glm::ivec3& i, float* out) {
+                                         out[0] = medium.opacity.at(i, 0);
+                                         for (int c = 0; c < 3; ++c)
+                                             out[1 + c] = medium.albedo.at(i, c);
+                                     });
 }
 
 } // namespace
@@ -136,7 +139,7 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
 Media::Media(gpu::Device& device, const Plan& plan) {
     if (!plan.scene.sharp) makeBlurred(device, plan, *this);
     const bool reads = plan.scene.sharp || plan.opaque || plan.anisotropic;
-    if (plan.lit() && reads) fluence = paddedRgb(device, plan, plan.scene.light.fluence, 1);
+    if (plan.lit() && reads) fluence = rgbTexture(device, plan, plan.scene.light.fluence, 1);
     if ((plan.anisotropic || plan.opaque) && !plan.scene.light.direction.isZero())
         direction = makeDirection(device, plan);
     else if (plan.opaque)

@@ -3,6 +3,7 @@
 #include "view/view.h"
 
 #include "optics/bands.h"
+#include "view/background.h"
 #include "view/picture.h"
 #include "view/rays.h"
 
@@ -68,7 +69,9 @@ double traceStrip(Rays& rays, const std::vector<optics::Band>& bands, int sample
 image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const std::optional<image::Image>& map, Stats& stats,
                     const Progress& progress) {
-    device.requireFit(needsOf(plan, params));
+    std::vector<gpu::Need> needs = needsOf(plan, params);
+    if (map) needs.push_back(mapNeed(*map));
+    device.requireFit(needs);
     gpu::Profiler profiler(stats);
     Rays rays(device, plan, params, map, profiler);
     Picture picture(device, plan, params);

@@ -27,7 +27,7 @@ constexpr double kPiece = 1.0 / 16; // [voxel] where faces cross
 constexpr int kBlock = 32;          // voxels along the edge of what one thread does at a time
 constexpr int kListed = 4;          // of what has a list of faces of its own
 // Where faces are smaller than that [voxel] lists are longer than the way through the tree.
-constexpr double kFine = 0.4;
+constexpr double kFine = 0.8;
 
 /// The mesh in index space [voxel], where voxel i's middle is at i.
 mesh::TriangleMesh inVoxels(const mesh::TriangleMesh& mesh, const Lattice& lattice) {
@@ -207,8 +207,9 @@ private:
             const Face& face = mFaces[f];
             const double reach = distance + face.bulge + kRounding;
             if (face.least(x) > reach * reach) continue;
-            if (mesh::squaredDistance(x, face.a, face.b, face.c) > reach * reach) continue;
-            const auto own = mCurved[f].nearest(x);
+            const auto start = mCurved[f].flatNearest(x);
+            if (start.squared > reach * reach) continue;
+            const auto own = mCurved[f].nearest(x, start);
             const double apart = std::sqrt(own.squared) - distance;
             // Of two faces at whose edge the nearest point lies the one that x is more before or
             // behind tells the side.

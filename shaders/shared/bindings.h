@@ -52,10 +52,10 @@ const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
 const int kBrickListBuffer = 0; // resolve.comp, smooth.comp: the bricks that receive
 
-// lightsim: images, atlases of bricks that receive.
-const int kPlanesImage = 0;  // fixed-point sums, a brick's planes one behind the other along z
-const int kTotalsImage = 1;  // floats, likewise
-const int kSmoothedImage = 2; // smooth.comp: after a pass
+// lightsim: images, atlases of bricks that receive (AtlasLayout in libcore/lightsim/voxels.h).
+const int kPlanesImage = 0;   // fixed-point sums
+const int kTotalsImage = 1;   // floats
+const int kSmoothedImage = 2; // smooth.comp: floats after a pass
 
 // Filters along an axis: storage buffers.
 const int kSourceBuffer = 0;  // floats per voxel

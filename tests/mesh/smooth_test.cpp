@@ -290,8 +290,9 @@ TEST(Smooth, SurfacesThatTouchDoSoAfterwards) {
                 const glm::uvec3& face = around.triangles[f];
                 const std::array corners = {around.points[face.x], around.points[face.y],
                                             around.points[face.z]};
-                if (squaredDistance(p, corners[0], corners[1], corners[2]) < 0.01)
-                    squared = std::min(squared, CurvedFace(corners, sides[f]).nearest(p).squared);
+                if (squaredDistance(p, corners[0], corners[1], corners[2]) >= 0.01) continue;
+                const CurvedFace patch(corners, sides[f]);
+                squared = std::min(squared, patch.nearest(p, patch.flatNearest(p)).squared);
             }
             most = std::max(most, std::sqrt(squared));
         }

@@ -145,6 +145,10 @@ test_bad_input() {
         refuses 65 cut.vdb $view -o out.exr
         says cut.vdb
     done
+    # Wider than any device's texture.
+    oiiotool --create 40000x2 3 -d half -o wide.exr
+    refuses 71 in.vdb $view --env wide.exr -o out.exr
+    says 'environment map needs'
     head -c 500 env.exr >cut.exr
     refuses 65 in.vdb $view --env cut.exr -o out.exr
     says cut.exr
