@@ -27,7 +27,7 @@ constexpr double kPiece = 1.0 / 16; // [voxel] where faces cross
 constexpr int kBlock = 32;          // voxels along the edge of what one thread does at a time
 constexpr int kListed = 4;          // of what has a list of faces of its own
 // Where faces are smaller than that [voxel] lists are longer than the way through the tree.
-constexpr double kFine = 0.8;
+constexpr double kFine = 0.4;
 
 /// The mesh in index space [voxel], where voxel i's middle is at i.
 mesh::TriangleMesh inVoxels(const mesh::TriangleMesh& mesh, const Lattice& lattice) {
