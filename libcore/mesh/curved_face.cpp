@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/curved_face.h"
 
-#include "mesh/shells.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -122,24 +120,23 @@ namespace {
 /// The curves of all faces' sides, while they are made.
 class EdgeCurves {
 public:
-    explicit EdgeCurves(const TriangleMesh& mesh)
-        : mMesh(mesh), mEdges(sortedEdges(mesh)), mCurves(mesh.triangles.size()),
+    EdgeCurves(const TriangleMesh& mesh, const std::vector<FaceEdge>& edges)
+        : mMesh(mesh), mEdges(edges), mCurves(mesh.triangles.size()),
           mCreases(mesh.triangles.size()) {}
 
     std::vector<std::array<EdgeCurve, 3>> run() {
-        eachEdge([&](size_t begin, size_t end) { bend(begin, end); });
+        eachShared([&](size_t begin, size_t end) { bend(begin, end); });
         const std::vector<std::array<EdgeCurve, 3>> alone = mCurves;
-        eachEdge([&](size_t begin, size_t end) { follow(begin, end, alone); });
+        eachShared([&](size_t begin, size_t end) { follow(begin, end, alone); });
         return std::move(mCurves);
     }
 
 private:
-    /// Those that one or two faces share.
-    template<typename Act> void eachEdge(const Act& act) const {
-        for (size_t begin = 0, end = 0; begin < mEdges.size(); begin = end) {
-            end = endOfEdge(mEdges, begin);
+    /// Those of one face or that two share.
+    template<typename Act> void eachShared(const Act& act) const {
+        eachEdge(mEdges, [&](size_t begin, size_t end) {
             if (end - begin <= 2) act(begin, end);
-        }
+        });
     }
 
     size_t sideOf(const FaceEdge& edge) const {
@@ -189,16 +186,17 @@ private:
     }
 
     const TriangleMesh& mMesh;
-    std::vector<FaceEdge> mEdges;
+    const std::vector<FaceEdge>& mEdges;
     std::vector<std::array<EdgeCurve, 3>> mCurves;
     std::vector<std::array<bool, 3>> mCreases; ///< which sides are kept edges
 };
 
 } // namespace
 
-std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh) {
+std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh,
+                                                 const std::vector<FaceEdge>& edges) {
     if (mesh.normals.empty()) return std::vector<std::array<EdgeCurve, 3>>(mesh.triangles.size());
-    return EdgeCurves(mesh).run();
+    return EdgeCurves(mesh, edges).run();
 }
 
 CurvedFace::CurvedFace(const std::array<dvec3, 3>& corners, const std::array<EdgeCurve, 3>& sides)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/shells.h"
 #include "mesh/triangle_mesh.h"
 
 #include <vector>
@@ -37,8 +38,12 @@ glm::dvec3 middleNormal(const glm::dvec3& a, const glm::dvec3& b, const EdgeCurv
 
 /// For each face the curves of its three sides, from corner k to the next: the same for all faces
 /// at an edge, read the other way where they run so. Straight where a face there has no normals or
-/// more than two meet; everywhere if the mesh has no normals.
-std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh);
+/// more than two meet; everywhere if the mesh has no normals. `edges` are the mesh's, sorted.
+std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh,
+                                                 const std::vector<FaceEdge>& edges);
+inline std::vector<std::array<EdgeCurve, 3>> edgeCurves(const TriangleMesh& mesh) {
+    return edgeCurves(mesh, sortedEdges(mesh));
+}
 
 /// A cubic triangle through three points with such curves for sides; where these are of a quadratic
 /// surface over the triangle's plane, that surface (Vlachos, Peters, Boyd and Mitchell 2001,

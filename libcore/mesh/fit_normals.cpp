@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::mesh {
 
@@ -97,7 +98,8 @@ void fitNormals(const TriangleMesh& mesh, const std::vector<char>& fixed, Fans& 
     std::vector<double> gains(fans.normals.size(), 0);
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         // The worst first: what is wrong is put right by what is right, not the other way round.
-        for (const std::uint32_t fan : order) gains[fan] = turnOf(fan).gain();
+        tbb::parallel_for(size_t{0}, order.size(),
+                          [&](size_t i) { gains[order[i]] = turnOf(order[i]).gain(); });
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return gains[a] > gains[b]; });
         for (const std::uint32_t fan : order) fans.normals[fan] = turnOf(fan).turned();

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/intersections.h"
 
+#include "mesh/triangle_tree.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 #include <algorithm>
 #include <cstdint>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -17,7 +20,6 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
 Point exact(const glm::dvec3& p) {
     return Point(p.x, p.y, p.z);
@@ -83,25 +85,33 @@ bool meetBeyondShared(const TriangleMesh& mesh, const glm::uvec3& f, const glm::
         Kernel::Triangle_3(corner(mesh, g, 0), corner(mesh, g, 1), corner(mesh, g, 2)));
 }
 
-/// The faces worth comparing: with an area, and one of each set of duplicates.
-std::vector<std::uint32_t> properFaces(const TriangleMesh& mesh) {
-    std::vector<std::uint32_t> faces;
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
-        if (!isDegenerate(mesh, mesh.triangles[f])) faces.push_back(f);
-    const auto key = [&](std::uint32_t f) {
-        const glm::uvec3 s = sorted(mesh.triangles[f]);
-        return std::make_tuple(s.x, s.y, s.z);
+/// Which faces are worth comparing: with an area, and the first of each set of duplicates.
+std::vector<char> properFaces(const TriangleMesh& mesh) {
+    struct Keyed {
+        glm::uvec3 corners;
+        std::uint32_t face;
     };
-    std::stable_sort(faces.begin(), faces.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    faces.erase(std::unique(faces.begin(), faces.end(),
-                            [&](std::uint32_t a, std::uint32_t b) { return key(a) == key(b); }),
-                faces.end());
-    std::sort(faces.begin(), faces.end());
-    return faces;
+    const auto key = [](const Keyed& k) {
+        return std::tie(k.corners.x, k.corners.y, k.corners.z, k.face);
+    };
+    std::vector<char> proper(mesh.triangles.size());
+    std::vector<Keyed> faces(proper.size());
+    tbb::parallel_for(0u, static_cast<std::uint32_t>(faces.size()), [&](std::uint32_t f) {
+        proper[f] = !isDegenerate(mesh, mesh.triangles[f]);
+        faces[f] = {sorted(mesh.triangles[f]), f};
+    });
+    tbb::parallel_sort(faces.begin(), faces.end(),
+                       [&](const Keyed& a, const Keyed& b) { return key(a) < key(b); });
+    for (size_t i = 1; i < faces.size(); ++i)
+        if (faces[i].corners == faces[i - 1].corners) proper[faces[i].face] = false;
+    return proper;
 }
 
-struct EnoughFound {};
+Box boxOf(const TriangleMesh& mesh, const glm::uvec3& face) {
+    Box box;
+    for (int k = 0; k < 3; ++k) box.include(mesh.points[face[k]]);
+    return box;
+}
 
 } // namespace
 
@@ -113,29 +123,35 @@ size_t countDegenerateFaces(const TriangleMesh& mesh) {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> intersectingPairs(const TriangleMesh& mesh,
                                                                        size_t most) {
-    std::vector<FaceBox> boxes;
-    for (std::uint32_t f : properFaces(mesh)) {
-        const glm::uvec3& face = mesh.triangles[f];
-        boxes.emplace_back(corner(mesh, face, 0).bbox() + corner(mesh, face, 1).bbox() +
-                               corner(mesh, face, 2).bbox(),
-                           f);
-    }
-    std::vector<const FaceBox*> pointers;
-    for (const FaceBox& box : boxes) pointers.push_back(&box);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-    const auto compare = [&](const FaceBox* a, const FaceBox* b) {
-        if (meetBeyondShared(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()]))
-            found.push_back(std::minmax(a->info(), b->info()));
-        if (found.size() >= most) throw EnoughFound();
+    using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    const std::vector<char> proper = properFaces(mesh);
+    const TriangleTree tree(mesh);
+    // The pairs of some faces with later ones.
+    const auto pairsOf = [&](size_t begin, size_t end, Pairs& pairs) {
+        std::vector<std::uint32_t> near;
+        for (auto f = static_cast<std::uint32_t>(begin); f < end && pairs.size() < most; ++f) {
+            if (!proper[f]) continue;
+            tree.overlapping(boxOf(mesh, mesh.triangles[f]), near);
+            std::sort(near.begin(), near.end());
+            for (const std::uint32_t g : near)
+                if (g > f && proper[g] &&
+                    meetBeyondShared(mesh, mesh.triangles[f], mesh.triangles[g]))
+                    pairs.emplace_back(f, g);
+        }
     };
-    // Below this many boxes pairs are tried one by one; the value is that of
-    // CGAL's own test for meshes.
-    constexpr std::ptrdiff_t kCutoff = 2000;
-    try {
-        CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), compare, kCutoff);
-    } catch (const EnoughFound&) {
-        // The only way to leave the sweep early.
+    // By parts, so that a mesh which crosses itself everywhere is soon known to.
+    constexpr size_t kPart = 1 << 16, kPiece = 256;
+    Pairs found;
+    for (size_t part = 0; part < mesh.triangles.size() && found.size() < most; part += kPart) {
+        const size_t end = std::min(part + kPart, mesh.triangles.size());
+        std::vector<Pairs> pieces((end - part + kPiece - 1) / kPiece);
+        tbb::parallel_for(size_t{0}, pieces.size(), [&](size_t i) {
+            const size_t first = part + kPiece * i;
+            pairsOf(first, std::min(first + kPiece, end), pieces[i]);
+        });
+        for (const Pairs& pairs : pieces) found.insert(found.end(), pairs.begin(), pairs.end());
     }
+    found.resize(std::min(found.size(), most));
     return found;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tbb/parallel_for.h>
 #include <tuple>
 
 namespace eikonal::mesh {
@@ -48,18 +49,27 @@ bool isAround(const TriangleMesh& mesh, const Shell& shell, const glm::dvec3& x)
 } // namespace
 
 std::vector<FaceEdge> sortedEdges(const TriangleMesh& mesh) {
-    std::vector<FaceEdge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-        const glm::uvec3& face = mesh.triangles[f];
-        if (hasRepeatedCorner(face)) continue;
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = face[k], b = face[(k + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
+    // By the low point they are counted out; the few that begin at one point are sorted.
+    std::vector<size_t> ends(mesh.points.size() + 1, 0);
+    const auto each = [&](const auto& act) {
+        for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+            const glm::uvec3& face = mesh.triangles[f];
+            if (hasRepeatedCorner(face)) continue;
+            for (int k = 0; k < 3; ++k) act(face[k], face[(k + 1) % 3], f);
         }
-    }
-    std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
-        return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+    };
+    each([&](std::uint32_t a, std::uint32_t b, std::uint32_t) { ++ends[std::min(a, b) + 1]; });
+    for (size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+    std::vector<FaceEdge> edges(ends.back());
+    std::vector<size_t> next(ends.begin(), ends.end() - 1);
+    each([&](std::uint32_t a, std::uint32_t b, std::uint32_t f) {
+        edges[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), f, a < b};
+    });
+    tbb::parallel_for(size_t{0}, mesh.points.size(), [&](size_t low) {
+        std::sort(edges.data() + ends[low], edges.data() + ends[low + 1],
+                  [](const FaceEdge& a, const FaceEdge& b) {
+                      return std::tie(a.high, a.face) < std::tie(b.high, b.face);
+                  });
     });
     return edges;
 }

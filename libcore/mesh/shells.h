@@ -4,7 +4,10 @@
 
 #include "mesh/triangle_mesh.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <vector>
 
 namespace eikonal::mesh {
@@ -21,6 +24,21 @@ std::vector<FaceEdge> sortedEdges(const TriangleMesh& mesh);
 
 /// The end of the run of `edges` that starts at `begin` and lies between the same two points.
 size_t endOfEdge(const std::vector<FaceEdge>& edges, size_t begin);
+
+/// Calls `act(begin, end)` for each run of edges between the same two points, in no order and on
+/// several threads.
+template<typename Act> void eachEdge(const std::vector<FaceEdge>& edges, const Act& act) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, edges.size(), 1024), [&](const auto& range) {
+        size_t begin = range.begin();
+        // What began before is another's.
+        if (begin > 0) begin = std::max(begin, endOfEdge(edges, begin - 1));
+        while (begin < range.end()) {
+            const size_t end = endOfEdge(edges, begin);
+            act(begin, end);
+            begin = end;
+        }
+    });
+}
 
 /// Faces that reach each other through shared edges.
 struct Shell {

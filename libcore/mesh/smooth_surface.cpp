@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::mesh {
 
@@ -30,26 +31,28 @@ using Middles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Gives a middle to every side whose curve bulges by more than `most`; both faces there find the
 /// same point.
-Middles splitEdges(TriangleMesh& mesh, const std::vector<std::array<EdgeCurve, 3>>& curves,
-                   double most, bool& any) {
+Middles splitEdges(TriangleMesh& mesh, const std::vector<FaceEdge>& edges,
+                   const std::vector<std::array<EdgeCurve, 3>>& curves, double most, bool& any) {
     Middles middles(mesh.triangles.size(), {kNone, kNone, kNone});
-    const std::vector<FaceEdge> edges = sortedEdges(mesh);
+    std::vector<std::uint8_t> sides(edges.size()); // of its face, 3: not split
+    tbb::parallel_for(size_t{0}, edges.size(), [&](size_t i) {
+        const glm::uvec3& face = mesh.triangles[edges[i].face];
+        const std::uint32_t start = edges[i].rising ? edges[i].low : edges[i].high;
+        const std::uint8_t k = face.x == start ? 0 : face.y == start ? 1 : 2;
+        sides[i] = curves[edges[i].face][k].bulge() <= most ? 3 : k;
+    });
     for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
         end = endOfEdge(edges, begin);
         std::uint32_t middle = kNone;
-        for (size_t i = begin; i < end; ++i) {
-            const glm::uvec3& face = mesh.triangles[edges[i].face];
-            const std::uint32_t start = edges[i].rising ? edges[i].low : edges[i].high;
-            const size_t k = face.x == start ? 0 : face.y == start ? 1 : 2;
-            const EdgeCurve& curve = curves[edges[i].face][k];
-            if (curve.bulge() <= most) break;
+        for (size_t i = begin; i < end && sides[i] < 3; ++i) {
+            const EdgeCurve& curve = curves[edges[i].face][sides[i]];
             if (middle == kNone) {
                 middle = static_cast<std::uint32_t>(mesh.points.size());
                 const dvec3 x = 0.5 * (mesh.points[edges[i].low] + mesh.points[edges[i].high]);
                 mesh.points.push_back(x + curve.rise);
                 any = true;
             }
-            middles[edges[i].face][k] = middle;
+            middles[edges[i].face][sides[i]] = middle;
         }
     }
     return middles;
@@ -141,9 +144,10 @@ Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normal
     // then.
     constexpr int kMostHalvings = 10;
     for (int i = 0; i < kMostHalvings; ++i) {
-        const auto curves = edgeCurves(split.mesh);
+        const std::vector<FaceEdge> edges = sortedEdges(split.mesh);
+        const auto curves = edgeCurves(split.mesh, edges);
         bool any = false;
-        const Middles middles = splitEdges(split.mesh, curves, most, any);
+        const Middles middles = splitEdges(split.mesh, edges, curves, most, any);
         if (!any) break;
         for (std::uint32_t f = 0; f < middles.size(); ++f)
             if (middles[f] != std::array{kNone, kNone, kNone})

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 namespace eikonal::mesh {
 
@@ -57,42 +59,49 @@ double squaredDistance(const dvec3& x, const dvec3& a, const dvec3& b, const dve
     return height * height / squared(normal);
 }
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) : mMesh(mesh), mFaces(mesh.triangles.size()) {
+TriangleTree::TriangleTree(const TriangleMesh& mesh)
+    : mMesh(mesh), mFaces(mesh.triangles.size()), mPlace(mFaces.size()) {
     std::iota(mFaces.begin(), mFaces.end(), 0u);
-    std::vector<dvec3> centres;
-    centres.reserve(mFaces.size());
-    for (const glm::uvec3& face : mesh.triangles)
-        centres.push_back(mesh.points[face.x] + mesh.points[face.y] + mesh.points[face.z]);
-    mNodes.reserve(mFaces.size());
-    if (!mFaces.empty()) build(0, static_cast<std::uint32_t>(mFaces.size()), centres);
-    mPlace.resize(mFaces.size());
-    for (std::uint32_t i = 0; i < mFaces.size(); ++i) {
+    mCorners.resize(mFaces.size());
+    std::vector<dvec3> centres(mFaces.size());
+    tbb::parallel_for(size_t{0}, mFaces.size(), [&](size_t f) {
+        const glm::uvec3& face = mesh.triangles[f];
+        centres[f] = mesh.points[face.x] + mesh.points[face.y] + mesh.points[face.z];
+    });
+    const auto count = static_cast<std::uint32_t>(mFaces.size());
+    mNodes.resize(nodesOf(count));
+    if (count > 0) build(0, 0, count, centres);
+    tbb::parallel_for(0u, count, [&](std::uint32_t i) {
         const glm::uvec3& face = mesh.triangles[mFaces[i]];
         Corners t{mesh.points[face.x], mesh.points[face.y], mesh.points[face.z], {}, 0};
         t.middle = (t.a + t.b + t.c) / 3.0;
         const double squaredRadius =
             std::max({squared(t.a - t.middle), squared(t.b - t.middle), squared(t.c - t.middle)});
         t.radius = std::sqrt(squaredRadius) * (1 + 1e-12); // above all rounding
-        mCorners.push_back(t);
+        mCorners[i] = t;
         mPlace[mFaces[i]] = i;
-    }
+    });
 }
 
-/// The subtree of some faces, halved at the median of their centres along the longest edge.
-void TriangleTree::build(std::uint32_t first, std::uint32_t count, std::vector<dvec3>& centres) {
-    const size_t self = mNodes.size();
-    mNodes.emplace_back();
-    Box box, middles;
-    for (std::uint32_t i = first; i < first + count; ++i) {
-        for (int k = 0; k < 3; ++k) box.include(mMesh.points[mMesh.triangles[mFaces[i]][k]]);
-        middles.include(centres[mFaces[i]]);
-    }
-    mNodes[self].box = box;
+/// Of a subtree of so many faces.
+size_t TriangleTree::nodesOf(std::uint32_t count) {
+    if (count == 0) return 0;
+    return count <= kLeaf ? 1 : 1 + nodesOf(count / 2) + nodesOf(count - count / 2);
+}
+
+/// The subtree of some faces, halved at the median of their centres along the longest edge, from
+/// node `self` on.
+void TriangleTree::build(size_t self, std::uint32_t first, std::uint32_t count,
+                         const std::vector<dvec3>& centres) {
     if (count <= kLeaf) {
-        mNodes[self].first = first;
-        mNodes[self].count = count;
+        Box box;
+        for (std::uint32_t i = first; i < first + count; ++i)
+            for (int k = 0; k < 3; ++k) box.include(mMesh.points[mMesh.triangles[mFaces[i]][k]]);
+        mNodes[self] = {box, first, count};
         return;
     }
+    Box middles;
+    for (std::uint32_t i = first; i < first + count; ++i) middles.include(centres[mFaces[i]]);
     const dvec3 edges = middles.max - middles.min;
     const int axis = edges.x >= edges.y && edges.x >= edges.z ? 0 : edges.y >= edges.z ? 1 : 2;
     const std::uint32_t half = count / 2;
@@ -102,9 +111,20 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count, std::vector<d
                          const double x = centres[f][axis], y = centres[g][axis];
                          return x != y ? x < y : f < g;
                      });
-    build(first, half, centres);
-    mNodes[self].first = static_cast<std::uint32_t>(mNodes.size());
-    build(first + half, count - half, centres);
+    const size_t left = self + 1, right = left + nodesOf(half);
+    const auto buildLeft = [&] { build(left, first, half, centres); };
+    const auto buildRight = [&] { build(right, first + half, count - half, centres); };
+    constexpr std::uint32_t kWorth = 4096; // faces that a thread is worth
+    if (count > kWorth)
+        tbb::parallel_invoke(buildLeft, buildRight);
+    else {
+        buildLeft();
+        buildRight();
+    }
+    Box box = mNodes[left].box;
+    box.include(mNodes[right].box.min);
+    box.include(mNodes[right].box.max);
+    mNodes[self] = {box, static_cast<std::uint32_t>(right), 0};
 }
 
 /// Visits the triangles of leaves whose boxes and those above `enter`; `look` takes a place in
@@ -169,6 +189,20 @@ void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32
          [&](std::uint32_t i) {
              const Corners& t = mCorners[i];
              if (squaredDistance(x, t.a, t.b, t.c) <= radius * radius) faces.push_back(mFaces[i]);
+         });
+}
+
+void TriangleTree::overlapping(const Box& box, std::vector<std::uint32_t>& faces) const {
+    const auto overlap = [&](const dvec3& low, const dvec3& high) {
+        return low.x <= box.max.x && high.x >= box.min.x && low.y <= box.max.y &&
+               high.y >= box.min.y && low.z <= box.max.z && high.z >= box.min.z;
+    };
+    faces.clear();
+    walk([&](const Box& node) { return overlap(node.min, node.max); },
+         [&](std::uint32_t i) {
+             const Corners& t = mCorners[i];
+             if (overlap(glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)))
+                 faces.push_back(mFaces[i]);
          });
 }
 

@@ -36,6 +36,9 @@ public:
     /// Replaces `faces` by those that come as near to x as `radius`.
     void within(const glm::dvec3& x, double radius, std::vector<std::uint32_t>& faces) const;
 
+    /// Replaces `faces` by those whose own boxes touch the box, in no order.
+    void overlapping(const Box& box, std::vector<std::uint32_t>& faces) const;
+
     struct Hit {
         double t; ///< [length of the direction]
         std::uint32_t face;
@@ -58,7 +61,9 @@ private:
         glm::dvec3 a, b, c, middle;
         double radius; ///< of a ball about the middle that holds them
     };
-    void build(std::uint32_t first, std::uint32_t count, std::vector<glm::dvec3>& centres);
+    static size_t nodesOf(std::uint32_t count);
+    void build(size_t self, std::uint32_t first, std::uint32_t count,
+               const std::vector<glm::dvec3>& centres);
     template<typename Enter, typename Look> void walk(const Enter& enter, const Look& look) const;
 
     const TriangleMesh& mMesh;

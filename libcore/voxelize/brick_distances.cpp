@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/vector_relational.hpp>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::voxelize {
 
@@ -32,21 +33,20 @@ size_t placeOf(const ivec3& offset) {
 
 } // namespace
 
-BoundaryFaces::BoundaryFaces(const mesh::TriangleMesh& boundary) {
+BoundaryFaces::BoundaryFaces(const mesh::TriangleMesh& boundary)
+    : corners(boundary.triangles.size()), frames(corners.size()) {
     constexpr double kFlat = 1e-6; // what floats keep of distances
-    for (const glm::uvec3& face : boundary.triangles) {
-        corners.push_back(
-            {boundary.points[face.x], boundary.points[face.y], boundary.points[face.z]});
-        frames.emplace_back(corners.back());
-    }
-    if (boundary.normals.empty()) return;
-    sides = mesh::edgeCurves(boundary);
-    for (std::uint32_t f = 0; f < corners.size(); ++f) {
-        const double own = curved(f).bulge();
-        if (own < kFlat) continue;
-        frames[f].bulge = static_cast<float>(own);
-        bulge = std::max(bulge, own);
-    }
+    if (!boundary.normals.empty()) sides = mesh::edgeCurves(boundary);
+    const auto make = [&](size_t f) {
+        const glm::uvec3& face = boundary.triangles[f];
+        corners[f] = {boundary.points[face.x], boundary.points[face.y], boundary.points[face.z]};
+        frames[f] = FaceFrame(corners[f]);
+        if (sides.empty()) return;
+        const double own = mesh::CurvedFace(corners[f], sides[f]).bulge();
+        if (own >= kFlat) frames[f].bulge = own;
+    };
+    tbb::parallel_for(size_t{0}, corners.size(), make);
+    for (const FaceFrame& frame : frames) bulge = std::max(bulge, frame.bulge);
 }
 
 void NearestFace::take(const mesh::CurvedFace::Nearest& face) {

@@ -210,7 +210,7 @@ void NearFaces::assign(const std::vector<std::uint32_t>& faces,
         const FaceFrame& frame = frames[face];
         const dvec3 off = frame.origin - place;
         const double size = glm::length(off) + static_cast<double>(frame.longest()) + kAway;
-        const float slack = frame.bulge + static_cast<float>(kRounding * size);
+        const auto slack = static_cast<float>(frame.bulge + kRounding * size);
         const size_t lane = mFaces.size() % 8;
         Group& group = grow(face, slack);
         for (int k = 0; k < 3; ++k) group.numbers[k].at[lane] = static_cast<float>(off[k]);

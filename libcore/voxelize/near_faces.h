@@ -15,8 +15,9 @@ struct FaceFrame {
     /// Three axes; the longest side's length; direction and length of the side from its end to the
     /// third corner, then of that from the origin to the third corner, along the first two axes.
     std::array<float, 16> numbers;
-    float bulge = 0; ///< how far the curved face may be off it
+    double bulge = 0; ///< how far the curved face may be off it
 
+    FaceFrame() = default;
     explicit FaceFrame(const std::array<glm::dvec3, 3>& corners);
     float longest() const { return numbers[9]; }
 };
