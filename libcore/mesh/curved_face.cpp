@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace eikonal::mesh {
 
@@ -126,8 +127,7 @@ public:
 
     std::vector<std::array<EdgeCurve, 3>> run() {
         eachShared([&](size_t begin, size_t end) { bend(begin, end); });
-        const std::vector<std::array<EdgeCurve, 3>> alone = mCurves;
-        eachShared([&](size_t begin, size_t end) { follow(begin, end, alone); });
+        follow();
         return std::move(mCurves);
     }
 
@@ -159,30 +159,44 @@ private:
     }
 
     /// The mean rise of a face's kept edges; 0: it has none.
-    dvec3 creasesRise(std::uint32_t face,
-                      const std::vector<std::array<EdgeCurve, 3>>& curves) const {
+    dvec3 creasesRise(std::uint32_t face) const {
         dvec3 sum(0);
         int count = 0;
         for (size_t k = 0; k < 3; ++k)
             if (mCreases[face][k]) {
-                sum += curves[face][k].rise;
+                sum += mCurves[face][k].rise;
                 ++count;
             }
         return count > 0 ? sum / static_cast<double>(count) : dvec3(0);
     }
 
     /// Between two kept edges, as across the rim of a thin glass, a smooth edge goes along with
-    /// both within the surface: else they would pass over it.
-    void follow(size_t begin, size_t end, const std::vector<std::array<EdgeCurve, 3>>& alone) {
+    /// both within the surface: else they would pass over it. By how much.
+    dvec3 shiftOf(size_t begin, size_t end) const {
         const FaceEdge &left = mEdges[begin], &right = mEdges[end - 1];
-        if (end - begin < 2 || mCreases[left.face][sideOf(left)]) return;
-        const dvec3 p = creasesRise(left.face, alone), q = creasesRise(right.face, alone);
+        if (end - begin < 2 || mCreases[left.face][sideOf(left)]) return dvec3(0);
+        const dvec3 p = creasesRise(left.face), q = creasesRise(right.face);
+        if (p == dvec3(0) || q == dvec3(0)) return dvec3(0);
         const EdgeNormals normals = normalsAt(mMesh, left);
-        if (p == dvec3(0) || q == dvec3(0) || isNone(normals)) return;
+        if (isNone(normals)) return dvec3(0);
         const dvec3 along = unit(mMesh.points[left.high] - mMesh.points[left.low]),
                     normal = unit(without(normals.first + normals.second, along));
-        const dvec3 shift = without(without(0.5 * (p + q), along), normal);
-        for (const FaceEdge& edge : {left, right}) mCurves[edge.face][sideOf(edge)].rise += shift;
+        return without(without(0.5 * (p + q), along), normal);
+    }
+
+    /// Few edges follow others: all are found before the first is moved.
+    void follow() {
+        std::mutex mutex;
+        std::vector<std::pair<size_t, dvec3>> shifts;
+        eachShared([&](size_t begin, size_t end) {
+            const dvec3 shift = shiftOf(begin, end);
+            if (shift == dvec3(0)) return;
+            const std::lock_guard lock(mutex);
+            shifts.emplace_back(begin, shift);
+        });
+        for (const auto& [begin, shift] : shifts)
+            for (const FaceEdge& edge : {mEdges[begin], mEdges[begin + 1]})
+                mCurves[edge.face][sideOf(edge)].rise += shift;
     }
 
     const TriangleMesh& mMesh;

@@ -29,10 +29,11 @@ struct Split {
 /// For each side of each face the point at the middle of its curve, if the side is split.
 using Middles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Gives a middle to every side whose curve bulges by more than `most`; both faces there find the
-/// same point.
+/// Gives a middle to every side of new faces whose curve bulges by more than `most`; both faces
+/// there find the same point.
 Middles splitEdges(TriangleMesh& mesh, const std::vector<FaceEdge>& edges,
-                   const std::vector<std::array<EdgeCurve, 3>>& curves, double most, bool& any) {
+                   const std::vector<std::array<EdgeCurve, 3>>& curves,
+                   const std::vector<char>& isNew, double most, bool& any) {
     Middles middles(mesh.triangles.size(), {kNone, kNone, kNone});
     std::vector<std::uint8_t> sides(edges.size()); // of its face, 3: not split
     tbb::parallel_for(size_t{0}, edges.size(), [&](size_t i) {
@@ -43,6 +44,10 @@ Middles splitEdges(TriangleMesh& mesh, const std::vector<FaceEdge>& edges,
     });
     for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
         end = endOfEdge(edges, begin);
+        if (std::none_of(edges.begin() + static_cast<std::ptrdiff_t>(begin),
+                         edges.begin() + static_cast<std::ptrdiff_t>(end),
+                         [&](const FaceEdge& edge) { return isNew[edge.face]; }))
+            continue;
         std::uint32_t middle = kNone;
         for (size_t i = begin; i < end && sides[i] < 3; ++i) {
             const EdgeCurve& curve = curves[edges[i].face][sides[i]];
@@ -135,6 +140,50 @@ private:
     glm::vec3 mNormals[6];
 };
 
+/// The faces that are new, and `rings` times those that share a point with one found before.
+std::vector<std::uint32_t> facesAround(const TriangleMesh& mesh, const std::vector<char>& isNew,
+                                       int rings) {
+    std::vector<char> found = isNew;
+    for (int ring = 0; ring < rings; ++ring) {
+        std::vector<char> near(mesh.points.size(), 0);
+        for (size_t f = 0; f < found.size(); ++f)
+            for (int k = 0; k < 3; ++k) near[mesh.triangles[f][k]] |= found[f];
+        for (size_t f = 0; f < found.size(); ++f)
+            for (int k = 0; k < 3; ++k) found[f] |= near[mesh.triangles[f][k]];
+    }
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t f = 0; f < found.size(); ++f)
+        if (found[f]) faces.push_back(f);
+    return faces;
+}
+
+/// Splits the new faces' sides that bulge by more than `most`; what then is new, if anything.
+std::vector<char> halved(Split& split, const std::vector<char>& isNew, double most) {
+    // A side's curve is told by its two faces, and where it follows kept edges by theirs.
+    const std::vector<std::uint32_t> faces = facesAround(split.mesh, isNew, 2);
+    TriangleMesh part{std::move(split.mesh.points), {}, {}};
+    std::vector<char> partIsNew;
+    for (const std::uint32_t f : faces) {
+        part.triangles.push_back(split.mesh.triangles[f]);
+        part.normals.push_back(split.mesh.normals[f]);
+        partIsNew.push_back(isNew[f]);
+    }
+    const std::vector<FaceEdge> edges = sortedEdges(part);
+    const auto curves = edgeCurves(part, edges);
+    bool any = false;
+    const Middles middles = splitEdges(part, edges, curves, partIsNew, most, any);
+    split.mesh.points = std::move(part.points);
+    if (!any) return {};
+    std::vector<char> next(isNew.size(), 0);
+    for (size_t i = 0; i < faces.size(); ++i) {
+        if (middles[i] == std::array{kNone, kNone, kNone}) continue;
+        FaceSplit(split, faces[i], curves[i], middles[i]).run(faces[i]);
+        next[faces[i]] = 1;
+    }
+    next.resize(split.mesh.triangles.size(), 1);
+    return next;
+}
+
 /// Splits until no side bulges by more than `most`.
 Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normals, double most) {
     Split split{{mesh.points, mesh.triangles, normals}, {}};
@@ -143,16 +192,8 @@ Split refined(const TriangleMesh& mesh, const std::vector<CornerNormals>& normal
     // Each halving leaves about a quarter of a bulge: that of a domain's whole length is gone by
     // then.
     constexpr int kMostHalvings = 10;
-    for (int i = 0; i < kMostHalvings; ++i) {
-        const std::vector<FaceEdge> edges = sortedEdges(split.mesh);
-        const auto curves = edgeCurves(split.mesh, edges);
-        bool any = false;
-        const Middles middles = splitEdges(split.mesh, edges, curves, most, any);
-        if (!any) break;
-        for (std::uint32_t f = 0; f < middles.size(); ++f)
-            if (middles[f] != std::array{kNone, kNone, kNone})
-                FaceSplit(split, f, curves[f], middles[f]).run(f);
-    }
+    std::vector<char> isNew(mesh.triangles.size(), 1);
+    for (int i = 0; i < kMostHalvings && !isNew.empty(); ++i) isNew = halved(split, isNew, most);
     return split;
 }
 

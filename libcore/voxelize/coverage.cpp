@@ -6,6 +6,7 @@
 #include "volume/bricks.h"
 
 #include <algorithm>
+#include <cstring>
 #include <tbb/parallel_for.h>
 
 namespace eikonal::voxelize {
@@ -26,6 +27,29 @@ int rowsOf(const Lattice& lattice, std::int64_t stripBytes) {
         std::min<std::int64_t>(std::max<std::int64_t>(bricks, 1) * volume::kBrick, lattice.size.y));
 }
 
+/// Sums the changes along a column: how many sub-samples of each voxel lie inside.
+void sumColumn(const std::int32_t* changes, int size, int most, std::uint16_t* counts) {
+    constexpr int kRun = 8; // voxels looked at together
+    int sum = 0;
+    // Shells that overlap count as one solid: inside is where the winding number is not 0.
+    const auto count = [&] { return static_cast<std::uint16_t>(std::clamp(sum, 0, most)); };
+    for (int z = 0; z < size; z += kRun) {
+        const int end = std::min(z + kRun, size);
+        if (end - z == kRun) {
+            std::uint64_t all[kRun / 2];
+            std::memcpy(all, changes + z, sizeof all);
+            if ((all[0] | all[1] | all[2] | all[3]) == 0) {
+                std::fill_n(counts + z, kRun, count());
+                continue;
+            }
+        }
+        for (int i = z; i < end; ++i) {
+            sum += changes[i];
+            counts[i] = count();
+        }
+    }
+}
+
 } // namespace
 
 std::vector<gpu::Need> coverageNeeds(const Lattice& lattice, std::int64_t stripBytes) {
@@ -37,8 +61,7 @@ std::vector<gpu::Need> coverageNeeds(const Lattice& lattice, std::int64_t stripB
 Coverage::Coverage(gpu::Device& device, const Lattice& lattice, std::int64_t stripBytes)
     : mDevice(device), mLattice(lattice), mRows(rowsOf(lattice, stripBytes)),
       mCrossings(device, "voxelize/crossings.vert.glsl", "voxelize/crossings.frag.glsl", {}),
-      mSum(device, "voxelize/sum.comp.glsl", {}), mChanges(device, rowBytes(lattice) * mRows),
-      mParams(device, sizeof(StripParams)) {
+      mChanges(device, rowBytes(lattice) * mRows), mParams(device, sizeof(StripParams)) {
     if (lattice.view() > device.limits().framebuffer)
         throw MemoryError("voxelising draws " + std::to_string(lattice.view()) +
                           " pixels along an edge, the device allows " +
@@ -65,15 +88,15 @@ void Coverage::count(FacetSource& mesh, int firstRow, int rows,
                            mLattice.view(), mLattice.view());
     }
     gpu::barrier();
-    mSum.dispatch({mLattice.size.x, rows, 1});
     mDevice.check("voxelize");
     const std::int64_t voxels = std::int64_t{mLattice.size.x} * rows * mLattice.size.z;
     mDownload.resize(static_cast<size_t>(voxels));
     mChanges.download(mDownload.data(), voxels * 4);
     counts.resize(mDownload.size());
-    tbb::parallel_for(0, rows, [&](int row) {
-        const std::ptrdiff_t plane = std::ptrdiff_t{mLattice.size.x} * mLattice.size.z;
-        std::copy_n(mDownload.begin() + row * plane, plane, counts.begin() + row * plane);
+    const auto deep = static_cast<size_t>(mLattice.size.z);
+    tbb::parallel_for(size_t{0}, mDownload.size() / deep, [&](size_t column) {
+        sumColumn(mDownload.data() + column * deep, mLattice.size.z, mLattice.most(),
+                  counts.data() + column * deep);
     });
 }
 

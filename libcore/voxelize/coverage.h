@@ -1,4 +1,4 @@
-// How much of each voxel lies inside a mesh, counted on the device.
+// How much of each voxel lies inside a mesh: crossings from the device, summed up by the host.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -39,7 +39,7 @@ private:
     gpu::Device& mDevice;
     Lattice mLattice;
     int mRows;
-    gpu::Program mCrossings, mSum;
+    gpu::Program mCrossings;
     gpu::Buffer mChanges, mFacets, mParams;
     std::vector<std::int32_t> mDownload;
 };

@@ -5,6 +5,7 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <cstring>
 #include <glm/common.hpp>
 #include <numeric>
 #include <tbb/parallel_for.h>
@@ -29,11 +30,16 @@ public:
     bool isEven(size_t object) const {
         const std::vector<std::uint16_t>& own = mCounts[object];
         const std::uint16_t value = own[placeOf(0, 0, 0)];
+        const auto bytes = static_cast<size_t>(mSize.z) * sizeof value;
+        std::uint16_t wanted[volume::kBrick];
+        std::fill_n(wanted, volume::kBrick, value);
         for (int y = 0; y < mSize.y; ++y)
             for (int x = 0; x < mSize.x; ++x) {
                 const std::uint16_t* column = own.data() + placeOf(x, y, 0);
-                for (int z = 0; z < mSize.z; ++z)
-                    if (column[z] != value) return false;
+                // A number of bytes that the compiler knows is no call.
+                if (mSize.z == volume::kBrick ? std::memcmp(column, wanted, sizeof wanted) != 0
+                                              : std::memcmp(column, wanted, bytes) != 0)
+                    return false;
             }
         return true;
     }
@@ -84,8 +90,9 @@ void Mixer::mix(const Counts& counts, int firstRow, int rows) {
 }
 
 void Mixer::mixBrick(const Brick& brick, size_t place, Slab& slab) {
-    Shares shares;
-    shares.samples.resize(mCovered.size() + 1);
+    Shares& shares = slab.shares;
+    shares.samples.assign(mCovered.size() + 1, 0);
+    shares.takers.clear();
     bool even = true;
     for (size_t k : mOrder) {
         const bool own = brick.isEven(k);

@@ -44,22 +44,23 @@ private:
         std::vector<double> weights;
         std::vector<glm::vec3> alone; // what is stored where there is nothing else
     };
-    /// A row of bricks along x, mixed.
-    struct Slab {
-        std::int64_t occupied = 0;
-        std::vector<std::int64_t> covered;
-        std::vector<size_t> uneven;             ///< bricks
-        std::vector<std::vector<float>> values; ///< of them, per grid
-    };
-    using Counts = std::vector<std::vector<std::uint16_t>>;
-    class Brick;
-    void mixBrick(const Brick& brick, size_t place, Slab& slab);
     /// Whose samples a voxel has, of those that have some in its brick and, last, the medium.
     struct Shares {
         std::vector<size_t> takers; ///< the objects' numbers, first come first served
         std::vector<size_t> sorted; ///< all numbers, the medium's last
         std::vector<int> samples;   ///< by number
     };
+    /// A row of bricks along x, mixed.
+    struct Slab {
+        std::int64_t occupied = 0;
+        std::vector<std::int64_t> covered;
+        std::vector<size_t> uneven;             ///< bricks
+        std::vector<std::vector<float>> values; ///< of them, per grid
+        Shares shares;                          ///< of the voxel at hand
+    };
+    using Counts = std::vector<std::vector<std::uint16_t>>;
+    class Brick;
+    void mixBrick(const Brick& brick, size_t place, Slab& slab);
     void tally(const Brick& brick, size_t voxel, std::int64_t times, Shares& shares,
                Slab& slab) const;
     void store(const Shares& shares, size_t grid, float* out) const;
