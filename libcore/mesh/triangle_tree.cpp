@@ -187,8 +187,14 @@ void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32
     faces.clear();
     walk([&](const Box& box) { return squaredDistanceToBox(x, box) <= radius * radius; },
          [&](std::uint32_t i) {
+             // Most are wholly within, or their ball is beyond.
              const Corners& t = mCorners[i];
-             if (squaredDistance(x, t.a, t.b, t.c) <= radius * radius) faces.push_back(mFaces[i]);
+             const double off = squared(x - t.middle), least = radius - t.radius,
+                          most = radius + t.radius;
+             if (off > most * most) return;
+             if ((least > 0 && off <= least * least) ||
+                 squaredDistance(x, t.a, t.b, t.c) <= radius * radius)
+                 faces.push_back(mFaces[i]);
          });
 }
 

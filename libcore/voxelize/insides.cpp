@@ -136,4 +136,18 @@ bool Sides::inside(const glm::ivec3& voxel) const {
     return inside;
 }
 
+void Sides::signsOf(const glm::ivec3& low, const glm::ivec3& size, float* signs) const {
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const Row& row = mRows[static_cast<size_t>(low.y + y)];
+            const auto column = static_cast<size_t>(low.x + x);
+            std::uint32_t i = column == 0 ? 0 : row.ends[column - 1];
+            float sign = 1;
+            for (int z = 0; z < size.z; ++z) {
+                for (; i < row.ends[column] && row.changes[i] <= low.z + z; ++i) sign = -sign;
+                signs[(z * size.y + y) * size.x + x] = sign;
+            }
+        }
+}
+
 } // namespace eikonal::voxelize

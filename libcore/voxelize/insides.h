@@ -23,6 +23,8 @@ public:
     /// overlap, or faces cross.
     bool overlaps() const { return mOverlaps; }
     bool inside(const glm::ivec3& voxel) const;
+    /// The same of a box of voxels, x fastest: −1 inside, else 1.
+    void signsOf(const glm::ivec3& low, const glm::ivec3& size, float* signs) const;
 
 private:
     struct Row {
