@@ -125,32 +125,41 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> intersectingPairs(const Tri
                                                                        size_t most) {
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     const std::vector<char> proper = properFaces(mesh);
+    std::vector<Box> boxes(mesh.triangles.size());
+    tbb::parallel_for(size_t{0}, boxes.size(),
+                      [&](size_t f) { boxes[f] = boxOf(mesh, mesh.triangles[f]); });
     const TriangleTree tree(mesh);
-    // The pairs of some faces with later ones.
-    const auto pairsOf = [&](size_t begin, size_t end, Pairs& pairs) {
-        std::vector<std::uint32_t> near;
-        for (auto f = static_cast<std::uint32_t>(begin); f < end && pairs.size() < most; ++f) {
-            if (!proper[f]) continue;
-            tree.overlapping(boxOf(mesh, mesh.triangles[f]), near);
-            std::sort(near.begin(), near.end());
+    const std::vector<std::uint32_t>& faces = tree.order();
+    // The pairs, of which the lower face is among some that lie together.
+    const auto addPairs = [&](size_t begin, size_t end, std::vector<std::uint32_t>& near,
+                              Pairs& pairs) {
+        Box all;
+        for (size_t i = begin; i < end; ++i) all.include(boxes[faces[i]]);
+        tree.overlapping(all, near);
+        for (size_t i = begin; i < end; ++i) {
+            const std::uint32_t f = faces[i];
+            if (!proper[f] || pairs.size() >= most) continue;
             for (const std::uint32_t g : near)
-                if (g > f && proper[g] &&
+                if (g > f && proper[g] && boxes[f].touches(boxes[g]) &&
                     meetBeyondShared(mesh, mesh.triangles[f], mesh.triangles[g]))
                     pairs.emplace_back(f, g);
         }
     };
     // By parts, so that a mesh which crosses itself everywhere is soon known to.
-    constexpr size_t kPart = 1 << 16, kPiece = 256;
+    constexpr size_t kPart = 1 << 14, kPiece = 256, kTogether = 8;
     Pairs found;
-    for (size_t part = 0; part < mesh.triangles.size() && found.size() < most; part += kPart) {
-        const size_t end = std::min(part + kPart, mesh.triangles.size());
+    for (size_t part = 0; part < faces.size() && found.size() < most; part += kPart) {
+        const size_t end = std::min(part + kPart, faces.size());
         std::vector<Pairs> pieces((end - part + kPiece - 1) / kPiece);
         tbb::parallel_for(size_t{0}, pieces.size(), [&](size_t i) {
-            const size_t first = part + kPiece * i;
-            pairsOf(first, std::min(first + kPiece, end), pieces[i]);
+            const size_t first = part + kPiece * i, last = std::min(first + kPiece, end);
+            std::vector<std::uint32_t> near;
+            for (size_t k = first; k < last && pieces[i].size() < most; k += kTogether)
+                addPairs(k, std::min(k + kTogether, last), near, pieces[i]);
         });
         for (const Pairs& pairs : pieces) found.insert(found.end(), pairs.begin(), pairs.end());
     }
+    std::sort(found.begin(), found.end());
     found.resize(std::min(found.size(), most));
     return found;
 }

@@ -15,12 +15,6 @@ bool Box::contains(const glm::dvec3& x) const {
     return glm::all(glm::lessThanEqual(min, x)) && glm::all(glm::lessThanEqual(x, max));
 }
 
-void Box::include(const glm::dvec3& x) {
-    const bool first = empty();
-    min = first ? x : glm::min(min, x);
-    max = first ? x : glm::max(max, x);
-}
-
 Box boundingBox(const TriangleMesh& mesh) {
     Box box;
     for (const glm::uvec3& face : mesh.triangles)

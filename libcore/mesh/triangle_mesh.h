@@ -27,7 +27,20 @@ struct Box {
 
     bool empty() const { return min.x > max.x; }
     bool contains(const glm::dvec3& x) const;
-    void include(const glm::dvec3& x);
+    bool touches(const Box& other) const {
+        return min.x <= other.max.x && max.x >= other.min.x && min.y <= other.max.y &&
+               max.y >= other.min.y && min.z <= other.max.z && max.z >= other.min.z;
+    }
+    void include(const glm::dvec3& x) {
+        const bool first = empty();
+        min = first ? x : glm::min(min, x);
+        max = first ? x : glm::max(max, x);
+    }
+    void include(const Box& other) {
+        if (other.empty()) return;
+        include(other.min);
+        include(other.max);
+    }
 };
 
 /// The box of the points that a triangle uses; empty without triangles.

@@ -122,8 +122,7 @@ void TriangleTree::build(size_t self, std::uint32_t first, std::uint32_t count,
         buildRight();
     }
     Box box = mNodes[left].box;
-    box.include(mNodes[right].box.min);
-    box.include(mNodes[right].box.max);
+    box.include(mNodes[right].box);
     mNodes[self] = {box, static_cast<std::uint32_t>(right), 0};
 }
 
@@ -199,16 +198,12 @@ void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32
 }
 
 void TriangleTree::overlapping(const Box& box, std::vector<std::uint32_t>& faces) const {
-    const auto overlap = [&](const dvec3& low, const dvec3& high) {
-        return low.x <= box.max.x && high.x >= box.min.x && low.y <= box.max.y &&
-               high.y >= box.min.y && low.z <= box.max.z && high.z >= box.min.z;
-    };
     faces.clear();
-    walk([&](const Box& node) { return overlap(node.min, node.max); },
+    walk([&](const Box& node) { return node.touches(box); },
          [&](std::uint32_t i) {
              const Corners& t = mCorners[i];
-             if (overlap(glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)))
-                 faces.push_back(mFaces[i]);
+             const Box own{glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)};
+             if (own.touches(box)) faces.push_back(mFaces[i]);
          });
 }
 

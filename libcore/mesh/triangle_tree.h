@@ -26,6 +26,9 @@ public:
 
     explicit TriangleTree(const TriangleMesh& mesh);
 
+    /// All faces, those side by side that lie near each other.
+    const std::vector<std::uint32_t>& order() const { return mFaces; }
+
     struct Nearest {
         double squared;             ///< of the distance
         std::uint32_t face = kNone; ///< of the mesh; kNone: none within the bound
