@@ -219,9 +219,9 @@ of the resolution, the domain by the cube.
 
 $(cat "$work/resolutions.md")
 
-- *mesh2vol*: distances and their memory follow the surface; those to curved facets take three to four times
-  those to flat ones (\`--smooth 0\`). Samples are counted in every voxel of a strip,
-  on the device: that part, and the looking through of its bricks, follows the domain.
+- *mesh2vol*: distances and their memory follow the surface; those to curved facets take two to three times
+  those to flat ones (\`--smooth 0\`). Samples are counted in every voxel of a strip:
+  that part, and the looking through of its bricks, follows the domain.
 - *render* prepares what is near the surface. View rays leap: from one boundary to the next they take about
   as many looks as the logarithm of the way in voxels, and near it twice as many where the table of clearances
   is coarse and rows of distances are packed.

@@ -108,8 +108,8 @@ test_device() {
         render box.vdb -o out.exr $look
     local path
     mkdir -p broken/view broken/lightsim broken/smooth broken/voxelize
-    for path in view/trace lightsim/trace smooth/gaussian voxelize/sum; do
-        echo 'void main() { nonsense }' >broken/$path.comp.glsl
+    for path in view/trace.comp lightsim/trace.comp smooth/gaussian.comp voxelize/crossings.frag; do
+        echo 'void main() { nonsense }' >broken/$path.glsl
     done
     export EIKONAL_SHADERS=$PWD/broken
     expect_of render 70 render box.vdb -o out.exr $look
