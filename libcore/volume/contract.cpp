@@ -18,7 +18,7 @@ constexpr float kMost = std::numeric_limits<float>::max();
 constexpr GridType kScalar = GridType::scalar;
 constexpr GridType kVector = GridType::vector;
 
-constexpr std::array<GridRule, 12> kRules{{
+constexpr std::array<GridRule, 13> kRules{{
     {"ior", kScalar, 0, kMost, true, false, "> 0"},
     {"dispersion", kScalar, -kMost, kMost, false, false, "a finite number"},
     {"absorption", kVector, 0, kMost, false, false, ">= 0"},
@@ -30,13 +30,14 @@ constexpr std::array<GridRule, 12> kRules{{
     {"reflectance", kVector, 0, kMost, false, false, ">= 0"},
     {"sdf", kScalar, -kMost, kMost, false, false, "a finite number"},
     {"fluence", kVector, 0, kMost, false, false, ">= 0"},
+    {"irradiance", kVector, 0, kMost, false, false, ">= 0"},
     {"light_direction", kVector, -kMost, kMost, false, false, "a finite number"},
 }};
 
 /// Whether objects have such grids of their own; what lightsim writes is the whole scene's.
 bool objectsHave(const GridRule& rule) {
     const std::string name = rule.name;
-    return name != "fluence" && name != "light_direction";
+    return name != "fluence" && name != "light_direction" && name != "irradiance";
 }
 
 } // namespace

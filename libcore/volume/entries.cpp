@@ -90,13 +90,16 @@ Entry& Volume::Impl::numbers(const std::string& grid) {
     Entry& entry = *find(grid);
     if (entry.type == GridType::other)
         throw DataError(where(grid) + " holds " + entry.valueType + ", expected float or vec3s");
-    if (!entry.grid) {
-        readHead(entry);
-        entry.elsewhere = elsewhereOf(entry);
-    }
+    requireHead(entry);
     if (!entry.elsewhere.empty()) throw DataError(entry.elsewhere);
     readEntry(entry);
     return entry;
+}
+
+void Volume::Impl::requireHead(Entry& entry) {
+    if (entry.grid) return;
+    readHead(entry);
+    entry.elsewhere = elsewhereOf(entry);
 }
 
 VdbBody Volume::Impl::bodyOf(const Entry& entry) const {
@@ -168,8 +171,14 @@ std::string Volume::Impl::elsewhereOf(const Entry& entry) const {
 void Volume::Impl::findFrame() {
     const Entry* first = find("ior");
     if (!first || !first->grid) {
-        const auto known = std::find_if(entries.begin(), entries.end(),
-                                        [](const Entry& entry) { return entry.grid != nullptr; });
+        // Light on surfaces has finer voxels: it tells where the scene lies if nothing else does.
+        const auto knownBut = [this](const char* name) {
+            return std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+                return entry.grid != nullptr && contractName(entry.name) != name;
+            });
+        };
+        auto known = knownBut("irradiance");
+        if (known == entries.end()) known = knownBut("");
         if (known == entries.end())
             throw DataError(path + ": holds no grid of a scene (found: " + foundNames() + ")");
         first = &*known;

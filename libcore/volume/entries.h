@@ -53,6 +53,9 @@ struct Volume::Impl {
     void open();
     /// A grid of numbers that is there, its tree read.
     Entry& numbers(const std::string& grid);
+    /// Reads what a file says of a grid before its tree, and its tree.
+    void requireHead(Entry& entry);
+    void requireTree(Entry& entry) { readEntry(entry); }
     /// The grid that one of so many components would replace, its tree read, or null.
     const Entry* replaced(const std::string& grid, int components);
     /// What an entry is written as. Throws InternalError if OpenVDB wrote no whole grid.

@@ -5,6 +5,7 @@
 #include "base/atomic_file.h"
 #include "base/history.h"
 #include "volume/bricks.h"
+#include "volume/fine_grid.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -128,6 +129,10 @@ public:
     /// The same by bricks: what is even takes no memory. Numbers where the contract wants vectors
     /// stay one component.
     BrickGrid bricks(const std::string& grid, const IndexBox& box) const;
+    /// The active voxels of a grid of vectors that is finer than the scene, from the low corner of
+    /// `box` on; empty if it is not there. Throws DataError if it does not subdivide the scene's
+    /// voxels, or a value is against the contract.
+    FineGrid fine(const std::string& grid, const IndexBox& box) const;
     /// Whether the file holds the grid's numbers in 16 bits.
     bool isStoredInHalf(const std::string& grid) const;
     /// For a grid that must be there: throws DataError "no grid 'ior' (found: density)".
@@ -139,6 +144,8 @@ public:
              const PutOptions& options);
     void put(const std::string& grid, const IndexBox& box, const BrickGrid& values,
              const PutOptions& options);
+    /// The same of a grid finer than the scene, its voxels counted from the low corner of `box` on.
+    void putFine(const std::string& grid, const IndexBox& box, const FineGrid& values);
     /// Adds or replaces a grid of the contract that is `value` everywhere: no active voxel, so that
     /// it costs nothing. Scalars take the first component.
     void putConstant(const std::string& grid, const glm::vec3& value);
