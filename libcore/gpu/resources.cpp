@@ -49,6 +49,11 @@ void Buffer::clear() {
     glClearNamedBufferData(mName, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
+void Buffer::copyFrom(const Buffer& other, std::int64_t bytes) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(other.mName, mName, 0, 0, bytes);
+}
+
 void Buffer::bindStorage(unsigned binding) const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, mName);
 }

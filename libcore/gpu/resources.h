@@ -27,6 +27,8 @@ public:
     void upload(const void* data, std::int64_t bytes, std::int64_t offset = 0);
     void download(void* data, std::int64_t bytes, std::int64_t offset = 0) const;
     void clear(); ///< to zero bytes
+    /// The first `bytes` of another one.
+    void copyFrom(const Buffer& other, std::int64_t bytes);
     void bindStorage(unsigned binding) const;
     void bindUniform(unsigned binding) const;
     std::int64_t bytes() const { return mBytes; }

@@ -187,9 +187,11 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
         if (wanted.emission) region.emission = readFirst(files, "emission");
         if (wanted.surfaces && scene.anyOpaque()) region.albedo = readFirst(files, "albedo");
     }
-    if (!wanted.light || !(scene.anyHas(&Region::scattering) || scene.anyOpaque())) return scene;
+    if (!wanted.light) return scene;
+    if (scene.anyOpaque()) scene.light.surfaces = readSurfaceLight(files);
+    if (!scene.anyHas(&Region::scattering)) return scene;
     scene.light.fluence = readFluence(files);
-    if (!scene.light.fluence.isZero() && (scene.anyHas(&Region::anisotropy) || scene.anyOpaque()))
+    if (!scene.light.fluence.isZero() && scene.anyHas(&Region::anisotropy))
         scene.light.direction = readDirection(files);
     return scene;
 }

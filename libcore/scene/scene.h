@@ -6,6 +6,7 @@
 #include "scene/files.h"
 #include "scene/objects.h"
 #include "scene/regions.h"
+#include "scene/surface_light.h"
 #include "scene/voxel_layout.h"
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct Index {
 struct Light {
     Values fluence;   ///< [W/m²], of all files
     Values direction; ///< world space, weighted by the files' fluence
+    SurfaceLight surfaces;
 };
 
 /// With sharp boundaries a region is an object, the first that holds a point, or what surrounds
