@@ -70,6 +70,28 @@ void book(Stats& stats, const Plan& plan, const Light& light, double power,
     stats.count("atomic_adds", done.counts[2] * plan.planes());
 }
 
+glm::dvec4 book(Stats& stats, const Plan& plan, const Light& light, double power,
+                const BeamEnergy& done) {
+    Energy& energy = stats.energy;
+    glm::dvec4 dropped(0);
+    for (int c = 0; c < 3; ++c) {
+        const double watts = light.rgb[c] * power;
+        const auto i = static_cast<size_t>(c);
+        const int channel = plan.colour ? c : 0;
+        const double lost = done.deep[channel] + done.trapped[channel] + done.dim[channel];
+        if (light.kind == Light::Kind::directional)
+            energy.emitted[i] += done.entered[channel] * watts;
+        energy.entered[i] += done.entered[channel] * watts;
+        energy.escaped[i] += done.left[channel] * watts;
+        energy.lost[i] += lost * watts;
+        // What else has gone media and mirrors have taken.
+        energy.absorbed[i] += (done.entered[channel] - done.left[channel] - lost) * watts;
+        dropped += glm::dvec4(done.deep[channel], done.trapped[channel], 0, done.dim[channel]) *
+                   (watts / 3);
+    }
+    return dropped;
+}
+
 glm::dvec4 droppedPower(const Light& light, double power, const BatchEnergy& done) {
     return done.dropped * (power * (light.rgb.x + light.rgb.y + light.rgb.z) / 3);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lightsim/beams.h"
 #include "lightsim/photons.h"
 
 #include <array>
@@ -31,6 +32,11 @@ private:
 /// has become of it. A photon of weight 1 has `power` [m² or sr] of the light's RGB.
 void book(Stats& stats, const Plan& plan, const Light& light, double power,
           const BatchEnergy& emitted, const BatchEnergy& done);
+
+/// The same of a batch of beams, a cell of weight 1 having `power`. Returns what limits took away
+/// [W], the mean of rgb, in the order of BatchEnergy::dropped.
+glm::dvec4 book(Stats& stats, const Plan& plan, const Light& light, double power,
+                const BeamEnergy& done);
 
 /// Power that a batch's photons took away when limits ended them [W], the mean of rgb, in the order
 /// of BatchEnergy::dropped.

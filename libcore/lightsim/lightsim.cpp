@@ -3,6 +3,7 @@
 #include "lightsim/lightsim.h"
 
 #include "base/error.h"
+#include "lightsim/beams.h"
 #include "lightsim/emission.h"
 #include "lightsim/energy.h"
 #include "lightsim/octree.h"
@@ -11,6 +12,8 @@
 #include "optics/bands.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace eikonal::lightsim {
 
@@ -34,10 +37,13 @@ struct Run {
     Stats& stats;
     gpu::Profiler& profiler;
     scene::Transport transport;
-    Emission emission;
-    PhotonTracer tracer;
-    EnergyMeter meter;
+    Media media;
+    gpu::Texture leaves;
     Receivers receivers;
+    std::optional<Emission> emission; ///< and what else photons take
+    std::optional<PhotonTracer> tracer;
+    std::optional<EnergyMeter> meter;
+    std::optional<Beams> beams;
     Photons photons{};
     unsigned batches = 0;  ///< begun so far
     glm::dvec4 dropped{0}; ///< power, see droppedPower()
@@ -70,17 +76,28 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
     gpu::Texture leaves;
     if (plan.usesOctree())
         leaves = make("octree", [&] { return upload(device, makeLeaves(plan, params)); });
+    Receivers receivers(device, plan, params, transport, media, profiler);
     return make("shaders", [&] {
-        return Run{device,
-                   plan,
-                   params,
-                   stats,
-                   profiler,
-                   std::move(transport),
-                   Emission(device, plan, params),
-                   PhotonTracer(device, plan, params, std::move(media), std::move(leaves)),
-                   EnergyMeter(device),
-                   Receivers(device, plan, params)};
+        Run run{device,
+                plan,
+                params,
+                stats,
+                profiler,
+                std::move(transport),
+                std::move(media),
+                std::move(leaves),
+                std::move(receivers),
+                {},
+                {},
+                {},
+                {}};
+        if (plan.photons) {
+            run.emission.emplace(device, plan, params);
+            run.tracer.emplace(device, plan, params);
+            run.meter.emplace(device);
+        }
+        if (plan.beams) run.beams.emplace(device, plan, params);
+        return run;
     });
 }
 
@@ -90,7 +107,8 @@ std::uint32_t trace(Run& run, std::uint32_t emitted, double unit, const Progress
     std::uint32_t count = emitted;
     run.receivers.bind();
     while (count > few) {
-        count = run.tracer.run(run.device, run.transport, run.photons, count, unit);
+        count = run.tracer->run(run.device, run.transport, run.media, run.leaves, run.photons,
+                                count, unit);
         report(progress, 1.0 - static_cast<double>(count) / emitted);
     }
     return count;
@@ -100,9 +118,9 @@ std::uint32_t trace(Run& run, std::uint32_t emitted, double unit, const Progress
 bool send(Run& run, const Light& light, const Batch& batch, double power, double unit,
           const Progress& progress) {
     const std::uint32_t emitted = run.pass("photon emission", [&] {
-        return run.emission.emit(run.device, run.transport, batch, run.photons);
+        return run.emission->emit(run.device, run.transport, batch, run.photons);
     });
-    const auto sum = [&] { return run.meter.sum(run.transport, run.photons); };
+    const auto sum = [&] { return run.meter->sum(run.transport, run.photons); };
     const BatchEnergy before = run.pass("energy", sum);
     const std::uint32_t left =
         run.pass("photons", [&] { return trace(run, emitted, unit, progress); });
@@ -135,13 +153,9 @@ void sendBatch(Run& run, const Light& light, const Batch& batch, double power,
 }
 
 /// All photons of a light in voxel space.
-void sendLight(Run& run, const Light& light, const Progress& progress) {
+void sendPhotons(Run& run, const Light& light, const Progress& progress) {
     const double total = light.rgb.x + light.rgb.y + light.rgb.z;
-    if (total <= 0) return;
-    if (light.kind == Light::Kind::point)
-        for (size_t c = 0; c < 3; ++c)
-            run.stats.energy.emitted[c] += 4 * kPi * light.rgb[static_cast<int>(c)];
-    const std::vector<Window> windows = run.emission.windowsOf(light, run.params);
+    const std::vector<Window> windows = run.emission->windowsOf(light, run.params);
     const double h = run.plan.scene.voxelSize();
     for (size_t w = 0; w < windows.size(); ++w) {
         // Radiant power per unit of the light's RGB in a photon of weight 1 [m² or sr].
@@ -150,11 +164,68 @@ void sendLight(Run& run, const Light& light, const Progress& progress) {
         const double all = static_cast<double>(windows.size() * batches.size());
         for (size_t b = 0; b < batches.size(); ++b) {
             const double begun = static_cast<double>(w * batches.size() + b);
-            run.tracer.begin(light.rgb / total, ++run.batches);
+            run.tracer->begin(light.rgb / total, ++run.batches);
             sendBatch(run, light, batches[b], power,
                       partOf(progress, begun / all, (begun + 1) / all));
         }
     }
+}
+
+/// A batch of beams to the surfaces. Where a sum nears the end of its range it is sent again with a
+/// smaller unit.
+void sendBeams(Run& run, const Light& light, const Window& window, const Beams::Batch& batch,
+               double power) {
+    SurfaceReceiver& surfaces = run.receivers.surfaces();
+    // A surface voxel gets 2^20 in the mean, if all light comes to surfaces.
+    const double cells = static_cast<double>(window.pixels.x) * window.pixels.y;
+    const double share = static_cast<double>(surfaces.count()) / cells;
+    const double kLeast = 1.0 / 1024;
+    for (double unit = std::exp2(std::min(24.0, std::floor(20 + std::log2(share)))); unit >= kLeast;
+         unit /= 16) {
+        BeamEnergy energy;
+        const bool held =
+            run.beams->carry(run.device, run.transport, run.media, run.leaves, surfaces, window,
+                             batch, unit, energy, run.profiler, run.stats);
+        if (held) {
+            run.pass("collect", [&] {
+                surfaces.collect(run.device, light.rgb, power, unit);
+                return 0;
+            });
+            if (!run.plan.photons) run.dropped += book(run.stats, run.plan, light, power, energy);
+            return;
+        }
+        run.stats.count("batches_run_again", 1);
+        surfaces.clearSums();
+    }
+    throw InternalError("beams overflow a surface voxel's sum");
+}
+
+/// All beams of a light in voxel space.
+void sendBeams(Run& run, const Light& light, const Progress& progress) {
+    const double h = run.plan.scene.voxelSize();
+    const std::vector<Window> windows = run.beams->windowsOf(light);
+    for (size_t w = 0; w < windows.size(); ++w) {
+        // Radiant power per unit of the light's RGB in a cell of weight 1 [m² or sr].
+        const double power = windows[w].pixelArea() * (windows[w].point ? 1.0 : h * h);
+        const std::vector<Beams::Batch> batches = Beams::batchesOf(windows[w]);
+        const double all = static_cast<double>(windows.size() * batches.size());
+        for (size_t b = 0; b < batches.size(); ++b) {
+            const double begun = static_cast<double>(w * batches.size() + b);
+            sendBeams(run, light, windows[w], batches[b], power);
+            report(progress, (begun + 1) / all);
+        }
+    }
+}
+
+void sendLight(Run& run, const Light& light, const Progress& progress) {
+    if (light.rgb.x + light.rgb.y + light.rgb.z <= 0) return;
+    if (light.kind == Light::Kind::point)
+        for (size_t c = 0; c < 3; ++c)
+            run.stats.energy.emitted[c] += 4 * kPi * light.rgb[static_cast<int>(c)];
+    const double split = run.plan.photons && run.plan.beams ? 0.5 : run.plan.beams ? 1.0 : 0.0;
+    if (run.plan.beams && run.receivers.surfaces().count() > 0)
+        sendBeams(run, light, partOf(progress, 0, split));
+    if (run.plan.photons) sendPhotons(run, light, partOf(progress, split, 1));
 }
 
 } // namespace

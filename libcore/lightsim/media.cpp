@@ -52,19 +52,28 @@ gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {
     return texture;
 }
 
+gpu::Texture makeOpacity(gpu::Device& device, const Plan& plan) {
+    const scene::Values& opacity = plan.scene.medium().opacity;
+    return scene::makeVoxelTexture(
+        device, plan.scene.layout, gpu::TexelFormat::r32f, true,
+        [&](const glm::ivec3& i, float* out) { out[0] = opacity.at(i, 0); });
+}
+
 } // namespace
 
 Media::Media(gpu::Device& device, const Plan& plan) {
     if (plan.scene.sharp) return;
     if (plan.attenuates) absorption = makeAbsorption(device, plan);
     if (plan.attenuates && plan.colour) scattering = makeScattering(device, plan);
-    if (plan.opaque) opaque = makeOpaque(device, plan);
+    if (plan.opaque && plan.photons) opaque = makeOpaque(device, plan);
+    if (!plan.surfaces.empty()) opacity = makeOpacity(device, plan);
 }
 
 void Media::bind() const {
     if (absorption.name() != 0) absorption.bindSampler(kAbsorptionUnit);
     if (scattering.name() != 0) scattering.bindSampler(kScatteringUnit);
     if (opaque.name() != 0) opaque.bindSampler(kOpaqueUnit);
+    if (opacity.name() != 0) opacity.bindSampler(kOpacityFieldUnit);
 }
 
 } // namespace eikonal::lightsim

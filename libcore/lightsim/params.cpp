@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "scene/surface_voxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,10 @@ void require(bool holds, const std::string& option, double found, const std::str
 } // namespace
 
 Method parseMethod(const std::string& name) {
+    if (name == "auto") return Method::automatic;
     if (name == "photons") return Method::photons;
-    throw UsageError("--method: found '" + name + "', expected photons");
+    if (name == "beams") return Method::beams;
+    throw UsageError("--method: found '" + name + "', expected auto, photons or beams");
 }
 
 std::int64_t photonCount(double number) {
@@ -40,6 +43,9 @@ void Params::check() const {
     require(stepLimit > 0, "--step-limit", stepLimit, "above 0");
     require(stepMin >= 0.01 && stepMin <= 1e4, "--step-min", stepMin, "0.01 to 10000");
     require(maxSteps >= 1 && maxSteps <= 1 << 16, "--max-steps", maxSteps, "1 to 65536");
+    require(surfaceDetail >= 0 && surfaceDetail <= scene::kMostDetail, "--surface-detail",
+            surfaceDetail, "auto or 1 to " + std::to_string(scene::kMostDetail));
+    require(beamError > 0 && beamError <= 100, "--beam-error", beamError, "above 0 to 100");
     require(maxDepth >= 0 && maxDepth <= 4096, "--max-depth", maxDepth, "0 to 4096");
     require(dropBelow >= 0 && dropBelow < 1, "--drop-below", dropBelow, "0 to below 1");
     require(thinTo >= 0 && thinTo < 1, "--thin-to", thinTo, "0 to below 1");

@@ -16,19 +16,24 @@ namespace eikonal::lightsim {
 /// above 2^40.
 std::int64_t photonCount(double number);
 
-enum class Output : unsigned { none = 0, fluence = 1, direction = 2, both = 3 };
+enum class Output : unsigned { none = 0, fluence = 1, direction = 2, both = 3, irradiance = 4 };
+
+constexpr Output operator|(Output a, Output b) {
+    return static_cast<Output>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
 
 /// Three corners a triangle, outward, in the world [unit].
 using Triangles = std::vector<glm::dvec3>;
 
-/// How light is carried.
-enum class Method { photons };
+/// How light is carried: to surfaces by beams and through volumes by photons, or all by one of
+/// them.
+enum class Method { automatic, photons, beams };
 
 /// Throws UsageError.
 Method parseMethod(const std::string& name);
 
 struct Params {
-    Method method = Method::photons;
+    Method method = Method::automatic;
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
     std::vector<Light> lights;
     std::int64_t photons = 1 << 20; ///< pixels of each light's photon map
@@ -36,13 +41,16 @@ struct Params {
     double octreeTolerance2 = 0.02; ///< ε': range within which a leaf limits the step [1]
     double stepLimit = 8;           ///< longest step in such a leaf [voxel]
     double stepMin = 1;             ///< shortest step [voxel]
-    int maxDepth = 32;              ///< sharp: most boundaries that a photon meets
-    int maxSteps = 1 << 16;         ///< of one photon, after which it counts as trapped
-    double dropBelow = 1e-5;        ///< a photon is dropped at this share of its first power
-    double thinTo = 0.001;          ///< tracing ends when this share of the photons is left
-    int smoothing = 1;              ///< rounds of 3×3×3 smoothing of the result
-    bool automaticOutputs = true;   ///< what a render of the file needs; else `outputs`
-    Output outputs = Output::both;
+    int surfaceDetail = 0;      ///< fine voxels along an edge of a voxel; 0: as many as is worth it
+    double beamError = 1.0 / 3; ///< how far a beam's middle may be off [surface voxel]
+    double beamCutoff = 1e-3;   ///< a kind of path is not followed below this share of its light
+    int maxDepth = 32;          ///< sharp: most boundaries that a photon meets
+    int maxSteps = 1 << 16;     ///< of one photon, after which it counts as trapped
+    double dropBelow = 1e-5;    ///< a photon is dropped at this share of its first power
+    double thinTo = 0.001;      ///< tracing ends when this share of the photons is left
+    int smoothing = 1;          ///< rounds of 3×3×3 smoothing of the result
+    bool automaticOutputs = true; ///< what a render of the file needs; else `outputs`
+    Output outputs = Output::none;
     std::uint32_t seed = 0; ///< shifts the photon maps by part of a pixel
     Triangles proxy;        ///< photons start on it instead of on the domain's faces
 

@@ -20,7 +20,9 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
     switches.emplace_back("DIRECTION", plan.wants(Output::direction));
-    switches.emplace_back("SPARSE", atlasOf(plan).sparse);
+    switches.emplace_back("VOLUME", plan.receivesInVolume());
+    switches.emplace_back("SPARSE", plan.receivesInVolume() && atlasOf(plan).sparse);
+    switches.emplace_back("SURFACES", !plan.surfaces.empty() && !plan.beams);
     return switches;
 }
 
@@ -48,16 +50,17 @@ void Photons::bind() const {
     if (objects.bytes() > 0) objects.bindStorage(kObjectsBuffer);
 }
 
-PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params, Media media,
-                           gpu::Texture leaves)
+PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params)
     : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params)),
-      mMedia(std::move(media)), mLeaves(std::move(leaves)), mBlock(device, sizeof(PhotonParams)) {
+      mBlock(device, sizeof(PhotonParams)) {
     mParams.size = ivec4(plan.scene.size(), 0);
-    const glm::ivec3 bricks = plan.receiving.bricks;
-    mParams.first = ivec4(-plan.receiving.first, 0);
-    const AtlasLayout atlas = atlasOf(plan);
-    mParams.bricks =
-        ivec4(bricks.x, bricks.x * bricks.y, atlas.apart(plan.planes()), atlas.planesApart());
+    if (plan.receivesInVolume()) {
+        const glm::ivec3 bricks = plan.receiving.bricks;
+        mParams.first = ivec4(-plan.receiving.first, 0);
+        const AtlasLayout atlas = atlasOf(plan);
+        mParams.bricks =
+            ivec4(bricks.x, bricks.x * bricks.y, atlas.apart(plan.planes()), atlas.planesApart());
+    }
     mParams.list = uvec4(0, kStepsPerRun, params.maxSteps, 0);
     mParams.depth = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
     mParams.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
@@ -69,7 +72,8 @@ void PhotonTracer::begin(const glm::dvec3& colour, unsigned batch) {
 }
 
 std::uint32_t PhotonTracer::run(gpu::Device& device, const scene::Transport& transport,
-                                Photons& photons, std::uint32_t count, double unit) {
+                                const Media& media, const gpu::Texture& leaves, Photons& photons,
+                                std::uint32_t count, double unit) {
     const std::uint32_t zero = 0;
     photons.count.upload(&zero, sizeof zero);
     mParams.list.x = count;
@@ -79,8 +83,8 @@ std::uint32_t PhotonTracer::run(gpu::Device& device, const scene::Transport& tra
     photons.bind();
     photons.nextList.bindStorage(kNextListBuffer);
     transport.bind();
-    mMedia.bind();
-    if (mLeaves.name() != 0) mLeaves.bindSampler(kLeavesUnit);
+    media.bind();
+    if (leaves.name() != 0) leaves.bindSampler(kLeavesUnit);
     mProgram.dispatch({static_cast<int>(count), 1, 1});
     gpu::barrier();
     device.check("photons");

@@ -33,24 +33,22 @@ struct Photons {
 /// Traces photons by runs of steps, thinning the list in between.
 class PhotonTracer {
 public:
-    /// Steps are as long as `leaves`, the octree, let them be (none where nothing varies).
-    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params, Media media,
-                 gpu::Texture leaves);
+    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params);
 
     /// What tells a batch's photons from those of others, beside their pixels.
     void begin(const glm::dvec3& colour, unsigned batch);
-    /// One run of steps; deposits in the planes that are bound, `unit` to a voxel's length at
+    /// One run of steps, as long as `leaves`, the octree, let them be (none where nothing varies);
+    /// deposits in the planes that are bound, `unit` to a voxel's length at
     /// weight 1. `count` photons are on the list. Returns how many then are on the next one, with
     /// which it is swapped.
-    std::uint32_t run(gpu::Device& device, const scene::Transport& transport, Photons& photons,
-                      std::uint32_t count, double unit);
+    std::uint32_t run(gpu::Device& device, const scene::Transport& transport, const Media& media,
+                      const gpu::Texture& leaves, Photons& photons, std::uint32_t count,
+                      double unit);
     /// Whether a sum came near its end.
     static bool overflowed(const Photons& photons);
 
 private:
     gpu::Program mProgram;
-    Media mMedia;
-    gpu::Texture mLeaves;
     gpu::Buffer mBlock;
     PhotonParams mParams{};
 };

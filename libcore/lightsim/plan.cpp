@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/plan.h"
 
+#include "base/error.h"
 #include "base/text.h"
+#include "lightsim/beams.h"
 #include "lightsim/photons.h"
+#include "lightsim/surfaces.h"
 #include "lightsim/voxels.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
@@ -23,14 +26,18 @@ bool isGrey(const glm::dvec3& rgb) {
 }
 
 bool receives(const scene::Scene& scene) {
-    return scene.sharp ? scene.anyOpaque() : scene.anyHas(&Region::opacity);
+    return scene.anyOpaque();
 }
 
 /// What a render of the file would read: light where it scatters or falls on an opaque surface.
 Output neededOutputs(const scene::Scene& scene) {
-    if (!scene.showsLight()) return Output::none;
-    const bool direction = receives(scene) || scene.anyHas(&Region::anisotropy);
-    return direction ? Output::both : Output::fluence;
+    Output needed = Output::none;
+    if (scene.anyHas(&Region::scattering)) {
+        needed = Output::fluence;
+        if (scene.anyHas(&Region::anisotropy)) needed = Output::both;
+    }
+    if (receives(scene)) needed = needed | Output::irradiance;
+    return needed;
 }
 
 /// The largest optical depth of a voxel's diagonal in any region and traced channel, or more.
@@ -42,16 +49,12 @@ double deepestVoxel(const Plan& plan) {
     return std::sqrt(3.0) * plan.scene.voxelSize() * static_cast<double>(most);
 }
 
-/// Why light is stored at all.
-std::string whyStored(const Plan& plan, const Params& params, const std::vector<Effect>& all) {
-    if (!params.automaticOutputs) return "--outputs";
-    const Effect scattering = scene::effectNamed(all, "scattering");
-    if (scattering.on) return plan.scene.sharp ? "scattering: " + scattering.why : scattering.why;
-    if (!receives(plan.scene))
-        return plan.scene.sharp ? "nothing scatters or receives light"
-                                : "no grid scatters or receives light";
-    const std::string why = scene::effectNamed(all, "opaque").why;
-    return plan.scene.sharp ? "opaque: " + why : why;
+/// Whether an output is simulated, and why: asked for, or what calls for it.
+Effect outputEffect(const Plan& plan, const Params& params, const char* name, Output output,
+                    const Effect& cause) {
+    if (!params.automaticOutputs) return {name, plan.wants(output), "--outputs"};
+    const bool tells = plan.scene.sharp && cause.on;
+    return {name, plan.wants(output), tells ? cause.name + ": " + cause.why : cause.why};
 }
 
 void listEffects(Plan& plan, const Params& params) {
@@ -67,16 +70,22 @@ void listEffects(Plan& plan, const Params& params) {
         return runs ? effect : Effect{effect.name, false, "nothing to simulate"};
     };
     add(named("sharp_boundaries"));
-    const std::string stored = whyStored(plan, params, all);
-    add({"fluence", plan.wants(Output::fluence), stored});
-    std::string direction = stored;
-    if (params.automaticOutputs && runs) {
-        const Effect opaque = named("opaque"), anisotropy = named("anisotropy");
-        const std::string of = sharp ? (receives(plan.scene) ? "opaque: " : "anisotropy: ") : "";
-        direction = of + (receives(plan.scene) ? opaque.why : anisotropy.why);
-        if (!sharp && !plan.wants(Output::direction)) direction = "scattering is isotropic";
+    const Effect scattering = scene::effectNamed(all, "scattering");
+    Effect anisotropy = scene::effectNamed(all, "anisotropy");
+    if (!scattering.on) anisotropy = {"anisotropy", false, "nothing is scattered"};
+    add(outputEffect(plan, params, "fluence", Output::fluence, scattering));
+    add(outputEffect(plan, params, "light_direction", Output::direction, anisotropy));
+    Effect irradiance = outputEffect(plan, params, "irradiance", Output::irradiance,
+                                     scene::effectNamed(all, "opaque"));
+    if (irradiance.on && !plan.surfaces.empty()) {
+        const std::string edge = std::to_string(plan.surfaces.detail);
+        irradiance.why += ", by " + edge + " x " + edge + " x " + edge + " fine voxels a voxel";
     }
-    add({"light_direction", plan.wants(Output::direction), direction});
+    add(irradiance);
+    add({"photons", plan.photons,
+         plan.photons ? "fluence is made of them" : "no volume receives light"});
+    add({"beams", plan.beams,
+         plan.beams ? "irradiance is made of them" : "no surface receives light"});
     add(nothing(named("refraction")));
     if (sharp) add(nothing(named("curved_rays")));
     add(named("absorption"));
@@ -108,10 +117,17 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.dense = deepestVoxel(plan) > 0.25;
     plan.opaque = scene.anyOpaque();
     for (const Light& light : params.lights) plan.colouredLight |= !isGrey(light.rgb);
+    if (plan.wants(Output::irradiance)) plan.surfaces = findSurfaces(scene, params.surfaceDetail);
+    if (params.method == Method::beams && plan.receivesInVolume())
+        throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
+                         " scatters light; expected auto or photons");
+    plan.beams = params.method != Method::photons && !plan.surfaces.empty();
+    plan.photons =
+        plan.receivesInVolume() || (params.method == Method::photons && !plan.surfaces.empty());
     listEffects(plan, params);
     if (!volume.holdsScene()) plan.warnings = scene::idleWarnings(scene::Files(volume), {});
     if (plan.outputs == Output::none) return plan;
-    plan.receiving = receivingBricks(scene, params);
+    if (plan.receivesInVolume()) plan.receiving = receivingBricks(scene, params);
     for (const std::string& warning : scene::warningsOf(scene)) plan.warnings.push_back(warning);
     if (!params.proxy.empty() && plan.attenuates)
         plan.warnings.push_back("--proxy skips the medium between the domain's faces and the "
@@ -124,11 +140,17 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     const std::int64_t voxels = plan.voxels();
     const int edge = std::max({size.x, size.y, size.z});
     std::vector<gpu::Need> needs = scene::transportNeeds(plan.scene, params.tracing);
-    for (const gpu::Need& need : voxelNeeds(plan, params)) needs.push_back(need);
+    const auto add = [&needs](const std::vector<gpu::Need>& more) {
+        needs.insert(needs.end(), more.begin(), more.end());
+    };
+    if (plan.receivesInVolume()) add(voxelNeeds(plan, params));
+    if (!plan.surfaces.empty()) add(surfaceNeeds(plan));
+    if (plan.beams) add(beamNeeds(plan, params));
     if (plan.usesOctree()) needs.push_back({"the octree", voxels / 2, false, (edge + 1) / 2});
     if (plan.attenuates && !plan.scene.sharp)
         needs.push_back(
             scene::voxelNeed(plan.scene.layout, "the coefficients", plan.colour ? 32 : 8));
+    if (!plan.photons) return needs;
     const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
     const std::int64_t photon =
         kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);

@@ -4,6 +4,7 @@
 
 #include "base/stats.h"
 #include "gpu/device.h"
+#include "lightsim/opaque_surfaces.h"
 #include "lightsim/params.h"
 #include "lightsim/receiving.h"
 #include "scene/scene.h"
@@ -26,7 +27,10 @@ struct Plan {
     bool colour = false;     ///< media or mirrors differ by wavelength: three traced channels
     bool colouredLight = false;
     bool opaque = false;
-    ReceivingBricks receiving; ///< none where there is nothing to simulate
+    ReceivingBricks receiving; ///< none where no volume receives
+    OpaqueSurfaces surfaces;   ///< none where no surface receives
+    bool photons = false;      ///< photons are sent
+    bool beams = false;        ///< beams are
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
@@ -35,6 +39,7 @@ struct Plan {
     }
     /// Whether photons step by the octree: where index or coefficients vary from place to place.
     bool usesOctree() const { return bends || !scene.sharp; }
+    bool receivesInVolume() const { return wants(Output::fluence) || wants(Output::direction); }
     int tracedChannels() const { return colour ? 3 : 1; }
     int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }
     int directionChannels() const { return wants(Output::direction) ? 3 : 0; }

@@ -4,31 +4,41 @@
 
 namespace eikonal::lightsim {
 
-Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params)
-    : mVoxels(device, plan, params) {}
+Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params,
+                     const scene::Transport& transport, const Media& media,
+                     gpu::Profiler& profiler) {
+    if (plan.photons && plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
+    if (!plan.surfaces.empty()) mSurfaces.emplace(device, plan, transport, media, profiler);
+}
 
 void Receivers::bind() const {
-    mVoxels.bind();
+    if (mVoxels) mVoxels->bind();
+    if (mSurfaces) mSurfaces->bind();
 }
 
 void Receivers::clear() {
-    mVoxels.clearPlanes();
+    if (mVoxels) mVoxels->clearPlanes();
+    if (mSurfaces) mSurfaces->clearSums();
 }
 
 void Receivers::resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit) {
-    mVoxels.resolve(device, rgb, power, unit);
+    if (mVoxels) mVoxels->resolve(device, rgb, power, unit);
+    // Where beams carry light to surfaces photons add nothing there.
+    if (mSurfaces) mSurfaces->collect(device, rgb, power, unit);
 }
 
 Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& params,
                          Stats& stats) {
     gpu::Profiler profiler(stats);
-    if (params.smoothing > 0) {
+    if (mVoxels && params.smoothing > 0) {
         profiler.begin("smooth");
-        mVoxels.smooth(device, params.smoothing);
+        mVoxels->smooth(device, params.smoothing);
         profiler.end();
     }
     profiler.begin("download");
-    Result result = mVoxels.download(plan);
+    Result result;
+    if (mVoxels) result = mVoxels->download(plan);
+    if (mSurfaces) result.irradiance = mSurfaces->finish(device);
     profiler.end();
     profiler.collect();
     return result;

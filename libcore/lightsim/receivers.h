@@ -3,13 +3,17 @@
 #pragma once
 
 #include "base/stats.h"
+#include "lightsim/surfaces.h"
 #include "lightsim/voxels.h"
+
+#include <optional>
 
 namespace eikonal::lightsim {
 
 class Receivers {
 public:
-    Receivers(gpu::Device& device, const Plan& plan, const Params& params);
+    Receivers(gpu::Device& device, const Plan& plan, const Params& params,
+              const scene::Transport& transport, const Media& media, gpu::Profiler& profiler);
 
     /// Before photons are traced.
     void bind() const;
@@ -18,11 +22,13 @@ public:
     /// Takes up what a batch left. `rgb` is the light's, a photon of weight 1 has `power` of it [m²
     /// or sr], `unit` of fixed point stands for a voxel's length at weight 1.
     void resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
+    SurfaceReceiver& surfaces() { return *mSurfaces; }
     /// After the last batch.
     Result finish(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats);
 
 private:
-    VoxelReceiver mVoxels;
+    std::optional<VoxelReceiver> mVoxels;
+    std::optional<SurfaceReceiver> mSurfaces;
 };
 
 } // namespace eikonal::lightsim

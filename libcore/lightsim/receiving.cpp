@@ -1,5 +1,5 @@
-// Which voxels receive light: those where something scatters it or stops it, and what is round
-// them. SPDX-License-Identifier: GPL-3.0-or-later
+// Which voxels receive light: those where something scatters it, and what is round them.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/receiving.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ using volume::BrickGrid;
 using volume::kBrick;
 using volume::kBrickVoxels;
 
-// A surface's light is looked up a voxel and a half before it, between voxels [voxel].
-constexpr int kLookUps = 3;
+// Light is looked up between voxels [voxel].
+constexpr int kLookUps = 1;
 // A round of smoothing draws from so many voxels on either side.
 constexpr int kSmoothing = 2;
 
@@ -42,12 +42,11 @@ bool isAnywhere(const scene::Values& values, size_t brick) {
     return values.varies() ? rangeOf(values.grid, brick).most > 0 : !values.isZero();
 }
 
-/// Whether something that scatters or stops light is in a brick, of sharp boundaries within `reach`
+/// Whether something that scatters light is in a brick, of sharp boundaries within `reach`
 /// of it, as far as distances are known.
 bool isLit(const scene::Scene& scene, size_t brick, float reach) {
     const Region& medium = scene.medium();
-    if (!scene.sharp)
-        return isAnywhere(medium.scattering, brick) || isAnywhere(medium.opacity, brick);
+    if (!scene.sharp) return isAnywhere(medium.scattering, brick);
     bool outside = true; // of all objects, somewhere
     for (size_t k = 0; k < scene.objects.size(); ++k) {
         const Object& object = scene.objects[k];
@@ -56,8 +55,7 @@ bool isLit(const scene::Scene& scene, size_t brick, float reach) {
         const float near = std::min(reach, object.band);
         outside &= range.most > -near;
         if (range.least >= near) continue;
-        // No light comes into what is opaque.
-        if (region.opaque ? range.most > -near : !region.scattering.isZero()) return true;
+        if (!region.opaque && !region.scattering.isZero()) return true;
     }
     return outside && !medium.scattering.isZero();
 }

@@ -1,5 +1,5 @@
-// Which voxels receive light: those where something scatters it or stops it, and what is round
-// them. SPDX-License-Identifier: GPL-3.0-or-later
+// Which voxels receive light: those where something scatters it, and what is round them.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "lightsim/params.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "volume/bricks.h"
+#include "volume/fine_grid.h"
 
 namespace eikonal::lightsim {
 
@@ -10,6 +11,7 @@ namespace eikonal::lightsim {
 struct Result {
     volume::BrickGrid fluence;   ///< RGB [W/m²]
     volume::BrickGrid direction; ///< mean direction of travel in world space, length <= 1
+    volume::FineGrid irradiance; ///< RGB on opaque surfaces [W/m²]
 };
 
 } // namespace eikonal::lightsim

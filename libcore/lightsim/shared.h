@@ -12,6 +12,7 @@ using glm::mat4;
 using glm::uint;
 using glm::uvec4;
 using glm::vec4;
+#include "shared/beam_params.h"
 #include "shared/bindings.h"
 #include "shared/lightsim_params.h"
 #include "shared/limits.h"
@@ -20,5 +21,9 @@ static_assert(sizeof(EmissionParams) == 224);
 static_assert(sizeof(PhotonParams) == 112);
 static_assert(sizeof(ResolveParams) == 112);
 static_assert(sizeof(Photon) == 96);
+static_assert(sizeof(LayoutParams) == 48);
+static_assert(sizeof(BeamPoint) == 80);
+static_assert(sizeof(BeamNode) == 64);
+static_assert(sizeof(BeamParams) == 192);
 
 } // namespace eikonal::lightsim

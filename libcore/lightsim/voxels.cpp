@@ -22,6 +22,34 @@ int totalsOf(const Plan& plan) {
     return plan.fluenceChannels() + plan.directionChannels();
 }
 
+bool isOpaque(const scene::Scene& scene, const ivec3& voxel) {
+    if (!scene.sharp) return scene.medium().opacity.at(voxel, 0) > 0.5f;
+    for (size_t k = 0; k < scene.objects.size(); ++k)
+        if (scene.objects[k].distance.at(voxel) < 0) return scene.regions[k].opaque;
+    return scene.medium().opaque;
+}
+
+/// Whether each voxel that receives is inside opaque material, as an atlas of one plane.
+gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan, const AtlasLayout& atlas) {
+    const ReceivingBricks& receiving = plan.receiving;
+    const ivec3 texels = atlas.texels(1), last = plan.scene.size() - 1;
+    std::vector<std::uint8_t> opaque(scene::placeOf(texels, 0, 0, texels.z));
+    tbb::parallel_for(size_t{0}, receiving.list.size(), [&](size_t slot) {
+        const ivec3 low =
+            receiving.first + kBrick * scene::atPlace(receiving.bricks, receiving.list[slot]);
+        const ivec3 corner = scene::atPlace(atlas.bricks, slot) * kBrick;
+        for (int i = 0; i < kBrickVoxels; ++i) {
+            const ivec3 in(i % kBrick, i / kBrick % kBrick, i / kBrick / kBrick);
+            const ivec3 at = corner + in;
+            opaque[scene::placeOf(texels, at.x, at.y, at.z)] =
+                isOpaque(plan.scene, glm::clamp(low + in, ivec3(0), last));
+        }
+    });
+    gpu::Texture texture(device, texels, gpu::TexelFormat::r8ui, gpu::Filter::nearest);
+    texture.upload(opaque.data());
+    return texture;
+}
+
 } // namespace
 
 AtlasLayout atlasOf(const Plan& plan) {
@@ -48,16 +76,18 @@ VoxelReceiver::VoxelReceiver(gpu::Device& device, const Plan& plan, const Params
       mBlock(device, sizeof(ResolveParams)), mAtlas(atlasOf(plan)),
       mVoxelSize(plan.scene.voxelSize()) {
     if (params.smoothing > 0)
-        mSmooth = gpu::Program(
-            device, "lightsim/smooth.comp.glsl",
-            {{"FLUENCE", plan.fluenceChannels()}, {"DIRECTION", plan.wants(Output::direction)}});
+        mSmooth = gpu::Program(device, "lightsim/smooth.comp.glsl",
+                               {{"FLUENCE", plan.fluenceChannels()},
+                                {"DIRECTION", plan.wants(Output::direction)},
+                                {"OPAQUE", plan.opaque}});
     const ReceivingBricks& receiving = plan.receiving;
     const ivec3 atlas = mAtlas.bricks;
     mParams.size = ivec4(plan.scene.size(), static_cast<int>(receiving.list.size()));
     mParams.first = ivec4(-receiving.first, 0);
     mParams.bricks = ivec4(receiving.bricks, mAtlas.planesApart());
     mParams.atlas = ivec4(atlas, 0);
-    mParams.apart = ivec4(mAtlas.apart(plan.planes()), mAtlas.apart(totalsOf(plan)), 0, 0);
+    mParams.apart =
+        ivec4(mAtlas.apart(plan.planes()), mAtlas.apart(totalsOf(plan)), mAtlas.apart(1), 0);
     std::vector<std::uint32_t> table(scene::placeOf(receiving.bricks, 0, 0, receiving.bricks.z),
                                      kNoBrick);
     for (size_t slot = 0; slot < receiving.list.size(); ++slot) {
@@ -74,6 +104,7 @@ VoxelReceiver::VoxelReceiver(gpu::Device& device, const Plan& plan, const Params
     mTotals = gpu::Texture(device, mAtlas.texels(totalsOf(plan)), gpu::TexelFormat::r32f,
                            gpu::Filter::nearest);
     mTotals.clear();
+    if (params.smoothing > 0 && plan.opaque) mOpaque = makeOpaque(device, plan, mAtlas);
     clearPlanes();
 }
 
@@ -112,6 +143,7 @@ void VoxelReceiver::smooth(gpu::Device& device, int rounds) {
     gpu::Texture other(device, mTotals.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);
     mTable.bindStorage(kBricksBuffer);
     mList.bindStorage(kBrickListBuffer);
+    if (mOpaque.name() != 0) mOpaque.bindSampler(kOpaqueUnit);
     for (int pass = 0; pass < 3 * rounds; ++pass) {
         mParams.first.w = pass % 3;
         mBlock.upload(&mParams, sizeof mParams);
@@ -140,7 +172,7 @@ Result VoxelReceiver::download(const Plan& plan) const {
             grid.page[receiving.list[slot]] = static_cast<std::int32_t>(slot);
         return grid;
     };
-    Result result{made(Output::fluence), made(Output::direction)};
+    Result result{made(Output::fluence), made(Output::direction), {}};
     tbb::parallel_for(size_t{0}, receiving.list.size(), [&](size_t slot) {
         const ivec3 apart(1, 1, mAtlas.apart(planes));
         const ivec3 corner = scene::atPlace(mAtlas.bricks, slot) * apart * kBrick;

@@ -52,7 +52,7 @@ private:
 
     gpu::Program mResolve, mSmooth;
     gpu::Buffer mBlock, mTable, mList;
-    gpu::Texture mPlanes, mTotals;
+    gpu::Texture mPlanes, mTotals, mOpaque;
     AtlasLayout mAtlas;
     ResolveParams mParams{};
     double mVoxelSize;

@@ -88,8 +88,8 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
             spent.x += share.x;
         }
         ivec3 texel = voxel;
-        bool receives = true;
-        if (kSparse) {
+        bool receives = kVolume;
+        if (kVolume && kSparse) {
             uint brick = brickOf(voxel, params.bricks.xy);
             receives = brick != kNoBrick;
             texel = texelOf(brick, voxel, params.bricks.z);

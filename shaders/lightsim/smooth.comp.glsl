@@ -8,8 +8,12 @@
 // neighbours' values: what has no negative value gets none.
 #include "lightsim/atlas.glsl"
 
+#ifndef OPAQUE
+#error OPAQUE must be 0 or 1
+#endif
 layout(std430, binding = kBrickListBuffer) readonly buffer BrickList { uint list[]; };
 layout(r32f, binding = kTotalsImage) readonly uniform image3D sources;
+layout(binding = kOpaqueUnit) uniform usampler3D opaque; // an atlas of one plane, not 0 inside opaque material
 layout(r32f, binding = kSmoothedImage) writeonly uniform image3D targets;
 
 // A voxel's value with two before it and two behind it, along the axis.
@@ -106,10 +110,13 @@ float meanOf(Row row, float share) {
     return (1.0 - share) * (0.5 * (row.here + row.after)) + share * (0.5 * (row.before + row.here));
 }
 
-// The first of a voxel's texels, counted from the first brick's first voxel on; that of `here` where none is.
+// The first of a voxel's texels, counted from the first brick's first voxel on; that of `here` where none is,
+// or where it is opaque: no light comes from behind a surface.
 ivec3 neighbour(ivec3 voxel, ivec3 here) {
     uint brick = brickOf(voxel, ivec2(params.bricks.x, params.bricks.x * params.bricks.y));
-    return brick == kNoBrick ? here : texelOf(brick, voxel, params.apart.y);
+    if (brick == kNoBrick) return here;
+    if (OPAQUE == 1 && texelFetch(opaque, texelOf(brick, voxel, params.apart.z), 0).x != 0u) return here;
+    return texelOf(brick, voxel, params.apart.y);
 }
 
 float valueAt(ivec3 texel, int plane) {
@@ -130,9 +137,9 @@ void main() {
     ivec3 at = texelInAtlas(slot, inBrick, params.apart.y);
     ivec3 step = ivec3(axis == 0, axis == 1, axis == 2);
     ivec3 before = place > 0 ? neighbour(p - step, at) : at;
-    ivec3 before2 = place > 1 ? neighbour(p - 2 * step, before) : before;
+    ivec3 before2 = place > 1 && before != at ? neighbour(p - 2 * step, before) : before;
     ivec3 after = place < count - 1 ? neighbour(p + step, at) : at;
-    ivec3 after2 = place < count - 2 ? neighbour(p + 2 * step, after) : after;
+    ivec3 after2 = place < count - 2 && after != at ? neighbour(p + 2 * step, after) : after;
     Row power = Row(0.0, 0.0, 0.0, 0.0, 0.0);
     float sum = 0.0;
     for (int i = 0; i < FLUENCE; ++i) {

@@ -10,9 +10,10 @@
 #include "transport/interface.glsl"
 #include "transport/path.glsl"
 
-#if !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION)
-#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION 0 or 1
+#if !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || !defined(VOLUME) || !defined(SURFACES)
+#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION, VOLUME, SURFACES 0 or 1
 #endif
+const bool kVolume = VOLUME == 1; // voxels receive light
 const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
 const bool kDense = MEDIUM == 2;    // a voxel may have an optical depth above 0.25
 const bool kColour = CHANNELS == 3; // media or mirrors' tints differ by wavelength
@@ -25,13 +26,35 @@ layout(std430, binding = kPhotonsBuffer) buffer Photons { Photon photons[]; };
 layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
 layout(std430, binding = kListBuffer) readonly buffer List { uint list[]; };
 layout(std430, binding = kNextListBuffer) writeonly buffer NextList { uint nextList[]; };
-layout(binding = kAbsorptionUnit) uniform sampler3D absorption; // padded by one; grey: (σ_a, σ_s) [1/voxel]
-layout(binding = kScatteringUnit) uniform sampler3D scattering; // colour only
+#include "lightsim/medium.glsl"
 #include "lightsim/deposit.glsl"
 #include "lightsim/step_limit.glsl"
 #include "lightsim/chance.glsl"
+#if SURFACES == 1
+#include "lightsim/surface_deposit.glsl"
+#include "transport/opaque_voxels.glsl"
+layout(binding = kOpacityFieldUnit) uniform sampler3D opacityField;
 
-const bool kSamples = true;
+float opacityAt(vec3 x) {
+    return textureLod(opacityField, coordinate(x), 0.0).x;
+}
+
+// A photon's light where it lands, `normal` on either side.
+void land(Path path, inout Load load, vec3 x, vec3 normal) {
+    ivec3 along = axisVector(axisOf(abs(normal)));
+    uint fullest = putOnSurface(fineVoxelAt(x), along, params.limits.z * path.throughput, load.phase);
+    if (fullest != kMissedSurface) load.fullest = max(load.fullest, fullest);
+}
+
+// Opaque voxels stop photons on their faces; the surface is close by.
+void landOnVoxels(Path path, inout Load load) {
+    vec3 direction = normalize(path.ray.w);
+    vec3 x = opaqueBetween(path.ray.x - 1.5 * direction, path.ray.x + direction);
+    land(path, load, x, opaqueNormalAt(x));
+}
+#endif
+
+const bool kSamples = kVolume || kMedium || kOpaqueVoxels;
 const bool kMeasures = false;
 const bool kEqualSteps = false;
 #include "transport/trace.glsl"
@@ -55,19 +78,8 @@ void fade(inout Path path) {
 }
 
 void onPiece(inout Path path, inout Load load, Piece piece) {
-    vec3 sigmaA = vec3(0.0);
-    vec3 sigmaS = vec3(0.0);
-    if (kMedium && kObjects == 0) {
-        vec3 at = coordinate(piece.middle);
-        vec4 a = textureLod(absorption, at, 0.0);
-        sigmaA = kColour ? a.xyz : vec3(a.x);
-        sigmaS = kColour ? textureLod(scattering, at, 0.0).xyz : vec3(a.y);
-    } else if (kMedium) {
-        Coefficients here = coefficientsAt(piece.region, piece.middle);
-        sigmaA = here.absorption;
-        sigmaS = here.scattering;
-    }
-    float share = deposit(path, load, piece.start, piece.along, sigmaA, sigmaS);
+    Extinction medium = extinctionOf(piece);
+    float share = deposit(path, load, piece.start, piece.along, medium.absorbed, medium.scattered);
     if (kOpaqueVoxels && share < 1.0) {
         path.status = kStopped;
         path.ray.x = piece.start + share * piece.along;
@@ -75,7 +87,11 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
     if (kMedium) fade(path);
 }
 
-void onSurface(inout Path path, inout Load load, Interface at) {}
+void onSurface(inout Path path, inout Load load, Interface at) {
+#if SURFACES == 1
+    land(path, load, at.x, at.normal);
+#endif
+}
 
 void onInterface(inout Path path, inout Load load, Interface at) {
     if (path.depth >= int(params.depth.x)) {
@@ -142,7 +158,14 @@ void main() {
     Path path = pathOf(photon, id);
     Load load = Load(photon.absorbed.xyz, photon.scattered.xyz, photon.weight.w, photon.count.z, 0u,
                      photon.absorbed.w, photon.scattered.w, id);
+#if SURFACES == 1
+    if (path.status == kStopped) land(path, load, path.ray.x, faceNormal(path.ray.x));
+    bool begun = path.status == kAlive;
+#endif
     trace(path, load);
+#if SURFACES == 1
+    if (kOpaqueVoxels && begun && path.status == kStopped) landOnVoxels(path, load);
+#endif
     if (path.status == kAlive && path.steps >= int(params.list.z)) path.status = kTrapped;
     if ((kOpaqueVoxels || kOpaqueObjects) && path.status == kStopped) {
         load.absorbed += path.throughput; // opaque material takes what arrives

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 struct ViewParams {
-    ivec4 picture; // width, height, first row of this strip, rows in it
-    ivec4 limits;  // x: most steps of a branch, y: most interfaces that it meets
-    vec4 eyeHigh;  // the eye in voxel space, in two floats a coordinate, since it may stand
-    vec4 eyeLow;   // far off; eyeHigh.w: 1 for a perspective, 0 for parallel rays
-    vec4 forward;  // a pixel's ray: forward + sx right + sy up, or the same added to the eye
-    vec4 right;    // [voxel], scaled by the half width of the view
-    vec4 up;       // scaled by the half height
+    ivec4 picture;      // width, height, first row of this strip, rows in it
+    ivec4 limits;       // x: most steps of a branch, y: most interfaces that it meets
+    vec4 eyeHigh;       // the eye in voxel space, in two floats a coordinate, since it may stand
+    vec4 eyeLow;        // far off; eyeHigh.w: 1 for a perspective, 0 for parallel rays
+    vec4 forward;       // a pixel's ray: forward + sx right + sy up, or the same added to the eye
+    vec4 right;         // [voxel], scaled by the half width of the view
+    vec4 up;            // scaled by the half height
     vec4 background;    // rgb radiance; w: the map's pixels, 2 by centres, 3 by edges
     vec4 mapFromVoxel0; // rows of the rotation from voxel space to the environment map's frame
     vec4 mapFromVoxel1;
     vec4 mapFromVoxel2;
-    vec4 medium;  // x: index outside, y: throughput below which a reflection is not followed, z: 1 if the
-                  // file has light for opaque surfaces, w: 1 / x²
+    vec4 medium; // x: index outside, y: throughput below which a reflection is not followed, w: 1 /
+                 // x²
     vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays
     vec4 weight;  // rgb: the ray's share of its pixel's colour; w: of its coverage
 };
@@ -30,10 +30,10 @@ struct PixelPath {
 // Counters are (low, high) words, spread over slots so that pixels do not queue for one.
 const uint kSlots = 64u;
 const uint kRays = 0u, kSteps = 1u, kTrappedRays = 2u;
-const uint kWorstError = 3u;      // adaptive: bits of the largest estimated error [voxel]
-const uint kOverTolerance = 4u;   // rays whose estimated error is above the tolerance
-const uint kInterfaces = 5u;      // met
-const uint kDroppedByDepth = 6u;  // shares of rays, in 1/kShareUnit
+const uint kWorstError = 3u;     // adaptive: bits of the largest estimated error [voxel]
+const uint kOverTolerance = 4u;  // rays whose estimated error is above the tolerance
+const uint kInterfaces = 5u;     // met
+const uint kDroppedByDepth = 6u; // shares of rays, in 1/kShareUnit
 const uint kDroppedAsDim = 7u;
 const uint kCounters = 8u;
 const float kShareUnit = 1048576.0;

@@ -8,3 +8,4 @@ const int kStopped = 3; // met opaque material
 const int kFaded = 4;   // too dim to follow
 const int kTrapped = 5; // used up its steps
 const int kDeep = 6;    // met more interfaces than it may
+const int kMeets = 7;  // an interface, where it waits for the way it is to take

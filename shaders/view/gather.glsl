@@ -11,6 +11,14 @@ struct Medium {
     vec3 source;     // radiance gained towards the eye per voxel of length
 };
 
+// The mean direction of the stored light, in voxel space, and g. The texture has it times the light, so
+// that dark voxels say nothing of it.
+vec4 meanDirectionAt(vec3 at, vec3 light) {
+    vec4 found = textureLod(lightDirection, at, 0.0);
+    float sum = light.x + light.y + light.z;
+    return vec4(sum > 0.0 ? found.xyz / sum : vec3(0.0), found.w);
+}
+
 // Henyey–Greenstein for the stored light: one lobe round its mean direction, whose length m makes the
 // first moment right as g m. Towards the eye, against the ray's direction. [1/sr]
 float phaseTowards(vec3 mean, float g, vec3 direction) {

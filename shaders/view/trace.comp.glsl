@@ -11,8 +11,8 @@
 #include "transport/path.glsl"
 
 #if !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || !defined(MAP) || \
-    !defined(AOVS) || !defined(WAITING)
-#error SOURCE must be 0 to 2, CHANNELS 0, 1, 3, EMISSION, MAP, AOVS 0 or 1, WAITING from 1
+    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES)
+#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS 0 or 1, WAITING from 1
 #endif
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
 const bool kColour = CHANNELS == 3;   // it does so, or glows, by wavelength
@@ -32,7 +32,7 @@ layout(binding = kExtinctionUnit) uniform sampler3D extinctions; // grey: (σ_t,
 layout(binding = kSourceUnit) uniform sampler3D sources;         // radiance per voxel of length
 layout(binding = kDirectionUnit) uniform sampler3D lightDirection; // see meanDirectionAt(); g
 layout(binding = kEmissionUnit) uniform sampler3D emission;
-layout(binding = kOpacityUnit) uniform sampler3D surface; // opacity, albedo
+layout(binding = kOpacityUnit) uniform sampler3D surfaceOpacity; // opacity, albedo
 layout(binding = kFluenceUnit) uniform sampler3D fluence; // [W/m²]
 
 #include "view/environment.glsl"
@@ -157,15 +157,9 @@ void onInterface(inout Path path, inout Load load, Interface at) {
     }
 }
 
-// Where opaque voxels begin, between the last point outside them and the one inside.
+// To where opaque voxels begin, between the last point outside them and the one inside.
 void reachVoxels(inout Path path, inout Load load) {
-    vec3 outside = load.clear;
-    vec3 inside = load.inside;
-    for (int i = 0; i < 12; ++i) {
-        vec3 middle = 0.5 * (outside + inside);
-        if (opacityAt(middle) > 0.5) inside = middle;
-        else outside = middle;
-    }
+    vec3 inside = opaqueBetween(load.clear, load.inside);
     float n = length(path.ray.w);
     vec3 direction = path.ray.w / n;
     float extent = max(dot(inside - path.ray.x, direction), 0.0);

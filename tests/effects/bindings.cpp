@@ -26,8 +26,9 @@ std::vector<Owned> viewBindings() {
             {"lobes", of({}, {}, {kDirectionUnit, kFluenceUnit})},
             {"emission beside lobes", of({}, {}, {kEmissionUnit})},
             {"environment map", of({}, {}, {kEnvironmentUnit})},
-            // What light falls on a surface, and where it comes from, is looked up there.
-            {"opaque surface", of({}, {}, {kDirectionUnit, kOpacityUnit, kFluenceUnit})},
+            // What light falls on a surface is looked up there.
+            {"opaque surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer},
+                                  {kOpacityUnit, kIrradianceUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
 
@@ -41,7 +42,8 @@ std::vector<Owned> sharpViewBindings() {
             {"environment map", of({}, {}, {kEnvironmentUnit})},
             {"several objects", of({}, {}, {kNearbyUnit})},
             {"many objects", of({}, {}, {kSetsUnit})},
-            {"opaque object", of({}, {}, {kDirectionUnit, kFluenceUnit})},
+            {"opaque object",
+             of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer}, {kIrradianceUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
 
@@ -54,7 +56,9 @@ std::vector<Owned> photonBindings() {
         {"medium", of({}, {}, {kAbsorptionUnit, kLeavesUnit})},
         {"colour", of({}, {}, {kScatteringUnit})},
         {"direction", {}},
-        {"opaque surface", of({}, {}, {kOpaqueUnit})}};
+        {"opaque surface", of({}, {}, {kOpaqueUnit})},
+        {"lit surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer},
+                           {kOpacityFieldUnit}, {kSurfaceSumsImage})}};
 }
 
 std::vector<Owned> sharpPhotonBindings() {
@@ -65,6 +69,8 @@ std::vector<Owned> sharpPhotonBindings() {
             {"direction", {}},
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
             {"several objects", of({}, {}, {kNearbyUnit})},
+            {"lit surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer}, {},
+                               {kSurfaceSumsImage})},
             {"many objects", of({}, {kObjectsBuffer}, {kSetsUnit})}};
 }
 

@@ -70,6 +70,19 @@ public:
         mVolume.putConstant(volume::ownGrid(grid, name), glm::vec3(value));
         return *this;
     }
+    /// Light on surfaces, stored all over a corner.
+    SceneVolume& shine() {
+        volume::FineGrid light;
+        light.detail = 1;
+        for (int z = mVoxels / 2; z < mVoxels; ++z)
+            for (int y = mVoxels / 2; y < mVoxels; ++y)
+                for (int x = mVoxels / 2; x < mVoxels; ++x) {
+                    light.voxels.emplace_back(x, y, z);
+                    light.values.emplace_back(1);
+                }
+        mVolume.putFine("irradiance", {glm::ivec3(0), glm::ivec3(mVoxels - 1)}, light);
+        return *this;
+    }
     volume::Volume take() { return std::move(mVolume); }
 
 private:
@@ -165,8 +178,7 @@ void addLobes(SceneVolume& scene) {
 }
 
 void addSurface(SceneVolume& scene) {
-    scene.add("opacity", 1, inCorner).constant("albedo", 3, dvec3(0.5));
-    scene.constant("fluence", 3, dvec3(1));
+    scene.add("opacity", 1, inCorner).constant("albedo", 3, dvec3(0.5)).shine();
 }
 
 void varyAbsorption(SceneVolume& scene) {
@@ -175,8 +187,7 @@ void varyAbsorption(SceneVolume& scene) {
 
 /// Beside the glass, a lit object that no light passes.
 void opaqueOther(SceneVolume& scene) {
-    scene.own("opacity", "other", 1).own("albedo", "other", 0.5f);
-    scene.constant("fluence", 3, dvec3(1));
+    scene.own("opacity", "other", 1).own("albedo", "other", 0.5f).shine();
 }
 
 double passMs(const Stats& stats, const std::string& name) {
@@ -235,6 +246,13 @@ Case photonCase(const std::string& name, const Effects& effects, volume::Volume 
 
 lightsim::Params withDirection(lightsim::Params params) {
     params.outputs = lightsim::Output::both;
+    return params;
+}
+
+/// Photons on surfaces, too, where beams would be sent.
+lightsim::Params withSurfaces(lightsim::Params params) {
+    params.outputs = lightsim::Output::fluence | lightsim::Output::irradiance;
+    params.method = lightsim::Method::photons;
     return params;
 }
 
@@ -355,6 +373,10 @@ std::vector<Case> photonCases(const Scale& scale) {
                                withDirection(params)));
     add("opaque surface", {"opaque surface"},
         [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); });
+    cases.push_back(photonCase(
+        "opaque surface, lit", {"refraction", "opaque surface", "lit surface"},
+        volumeOf(scale, true, [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); }),
+        withSurfaces(params)));
     addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
         lightsim::Params changed = params;
         changed.tracing = tracing;
@@ -379,6 +401,9 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
         photonCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
     cases.push_back(photonCase("a second object, opaque", {"several objects"},
                                glassBeside(scale, opaqueOther), params));
+    cases.push_back(photonCase("a second object, opaque and lit",
+                               {"several objects", "lit surface"}, glassBeside(scale, opaqueOther),
+                               withSurfaces(params)));
     cases.push_back(photonCase("eight objects", {"several objects", "many objects"},
                                glassInCrowd(scale), params));
     const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {

@@ -8,13 +8,16 @@
 #include "mesh/read.h"
 #include "mesh/smooth_surface.h"
 #include "scene/effects.h"
+#include "scene/surface_voxels.h"
+
+#include <charconv>
 
 using namespace eikonal;
 
 namespace {
 
 struct Options {
-    std::string input, method = "photons", outputs = "auto", proxy, octree;
+    std::string input, method = "auto", outputs = "auto", detail = "auto", proxy, octree;
     std::vector<std::string> lights;
     volume::GridNames names;
     lightsim::Params params;
@@ -34,10 +37,13 @@ void addOptions(tool::Session& session, Options& o) {
         ->type_name("SPEC")
         ->required()
         ->allow_extra_args(false);
-    app.add_option("--method", o.method, "how light is carried: photons")->capture_default_str();
+    app.add_option("--method", o.method,
+                   "how light is carried: photons, beams, or auto (to surfaces by beams, through "
+                   "volumes by photons)")
+        ->capture_default_str();
     app.add_option("--outputs", o.outputs,
                    "auto (what a render of the file needs, possibly nothing), or a list of "
-                   "fluence,light_direction")
+                   "fluence,light_direction,irradiance")
         ->type_name("LIST")
         ->capture_default_str();
     app.add_option_function<double>(
@@ -45,6 +51,15 @@ void addOptions(tool::Session& session, Options& o) {
            "pixels of each light's photon map")
         ->type_name("N")
         ->default_str(std::to_string(p.photons));
+    app.add_option("--surface-detail", o.detail,
+                   "fine voxels along an edge of a voxel, by which surfaces receive light; auto: "
+                   "up to 8, some two millions in all")
+        ->type_name("K")
+        ->capture_default_str();
+    app.add_option("--beam-error", p.beamError,
+                   "how far a beam's middle may be from where its corners say [fine voxel]")
+        ->type_name("E")
+        ->default_str("1/3");
     app.add_option("--octree-tolerance", p.octreeTolerance,
                    "index range within which a leaf of the octree is constant")
         ->type_name("E")
@@ -96,11 +111,22 @@ lightsim::Output parseOutputs(const std::string& list) {
             outputs |= static_cast<unsigned>(lightsim::Output::fluence);
         else if (item == "light_direction")
             outputs |= static_cast<unsigned>(lightsim::Output::direction);
+        else if (item == "irradiance")
+            outputs |= static_cast<unsigned>(lightsim::Output::irradiance);
         else
             throw UsageError("--outputs: found '" + item +
-                             "', expected auto, fluence or light_direction");
+                             "', expected auto, fluence, light_direction or irradiance");
     }
     return static_cast<lightsim::Output>(outputs);
+}
+
+int parseDetail(const std::string& text) {
+    int detail = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), detail);
+    if (error != std::errc() || end != text.data() + text.size() || detail < 1)
+        throw UsageError("--surface-detail: found '" + text + "', expected auto or 1 to " +
+                         std::to_string(scene::kMostDetail));
+    return detail;
 }
 
 /// The proxy. Photons start where light first meets it, so it must be closed and outward.
@@ -144,6 +170,7 @@ void writeOctree(tool::Session& session, const Options& o, const volume::Volume&
 void simulate(tool::Session& session, Options& o) {
     for (const std::string& spec : o.lights) o.params.lights.push_back(lightsim::parseLight(spec));
     o.params.method = lightsim::parseMethod(o.method);
+    if (o.detail != "auto") o.params.surfaceDetail = parseDetail(o.detail);
     o.params.automaticOutputs = o.outputs == "auto";
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
     o.params.seed = session.seed();
@@ -193,6 +220,8 @@ void simulate(tool::Session& session, Options& o) {
             options.vectorType = "vector";
             if (plan->wants(lightsim::Output::direction))
                 volume->put("light_direction", volume->domain(), result.direction, options);
+            if (!result.irradiance.empty())
+                volume->putFine("irradiance", volume->domain(), result.irradiance);
         });
     }
     session.pass("write", [&] { volume->write(out, session.history()); });

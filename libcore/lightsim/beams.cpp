@@ -1,0 +1,310 @@
+// Light by beams: cells of a light's map whose corners' rays meet the same boundaries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/beams.h"
+
+#include "lightsim/dispatch.h"
+#include "lightsim/photons.h"
+
+#include <algorithm>
+#include <array>
+
+namespace eikonal::lightsim {
+
+namespace {
+
+using glm::dvec3;
+using glm::ivec2;
+
+// A cell of the coarsest level is split so often at most.
+constexpr int kLevels = 4;
+constexpr int kCoarsest = 2 << kLevels; // its edge [finest cell]
+
+// Cells along an edge of a batch: its points take some tens of MB with those of split cells.
+constexpr int kBatchCells = 256;
+
+// Most points of one kind of path that are kept at a time; beyond, cells are split in parts.
+constexpr std::int64_t kMostPoints = 3 << 18;
+// Cells split at a time beyond that.
+constexpr std::int64_t kPart = 1 << 14;
+
+// What one beam covers at most, along an axis [fine voxel]: work items share the load.
+constexpr int kWidest = 256;
+
+// Points of the map per cell of the coarsest level that --photons asks for.
+constexpr std::int64_t kPhotonsPerCell = 4;
+
+// Most interfaces of a kind of path: its ways are bits of a word.
+constexpr int kMostWays = 31;
+
+constexpr std::int64_t kNodeBytes = sizeof(BeamNode);
+constexpr std::int64_t kPointBytes = sizeof(BeamPoint);
+
+gpu::Switches switchesOf(const Plan& plan, const Params& params) {
+    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
+    switches.emplace_back("CHANNELS", plan.tracedChannels());
+    switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
+    return switches;
+}
+
+} // namespace
+
+/// Cells, on the device.
+struct Beams::Nodes {
+    gpu::Buffer list;
+    std::int64_t count = 0;
+};
+
+/// One kind of path: its points, and the cells that go on from an interface.
+struct Beams::Kind {
+    std::uint32_t ways = 0; ///< bits, the first lowest
+    int length = 0;
+    const Kind* before = nullptr;
+    gpu::Buffer points, objects, marks, wanted, slots;
+    std::int64_t capacity = 0, count = 0; ///< points there is room for, and those there are
+    std::vector<Nodes> next;              ///< that go on
+    std::int64_t wantedCount = 0;
+};
+
+struct Beams::Run {
+    gpu::Device& device;
+    const scene::Transport& transport;
+    const Media& media;
+    const gpu::Texture& leaves;
+    const SurfaceReceiver& surfaces;
+    gpu::Profiler& profiler;
+    double deposits = 0, missed = 0, beams = 0, points = 0, kinds = 0;
+    bool nearFull = false;
+};
+
+Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
+    : mGrid(device, "lightsim/beam_grid.comp.glsl", {}),
+      mTrace(device, "lightsim/beam_trace.comp.glsl", switchesOf(plan, params)),
+      mSort(device, "lightsim/beam_sort.comp.glsl", {{"CHANNELS", plan.tracedChannels()}}),
+      mSplit(device, "lightsim/beam_split.comp.glsl", {}),
+      mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
+      mDeposit(device, "lightsim/beam_deposit.comp.glsl", {{"CHANNELS", plan.tracedChannels()}}),
+      mBlock(device, sizeof(BeamParams)), mCounts(device, kBeamCounts * 4),
+      mBooks(device, std::int64_t{kBooks} * kBookSlots * 3 * 4), mDomain{dvec3(-0.5),
+                                                                         dvec3(plan.scene.size()) -
+                                                                             0.5},
+      mCells(std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1)), mSeed(params.seed),
+      mManyObjects(scene::areMany(plan.scene.objects)) {
+    const int detail = plan.surfaces.detail;
+    mParams.size = ivec4(plan.scene.size(), detail);
+    mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
+    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays));
+    mParams.levels = ivec4(kCoarsest, 0, 0, kWidest);
+}
+
+std::vector<Window> Beams::windowsOf(const Light& light) const {
+    return lightsim::windowsOf(light, mDomain, mDomain, mCells, glm::dvec2(0), false);
+}
+
+std::vector<Beams::Batch> Beams::batchesOf(const Window& window) {
+    std::vector<Batch> batches;
+    for (int j = 0; j < window.pixels.y; j += kBatchCells)
+        for (int i = 0; i < window.pixels.x; i += kBatchCells)
+            batches.push_back({{i, j}, glm::min(window.pixels - ivec2(i, j), ivec2(kBatchCells))});
+    return batches;
+}
+
+/// Makes room for so many points, and keeps those there are.
+void Beams::grow(Run& run, Kind& kind, std::int64_t points) {
+    if (points <= kind.capacity) return;
+    const std::int64_t capacity = std::max(points, kind.capacity * 3 / 2);
+    const auto enlarge = [&](gpu::Buffer& buffer, std::int64_t each, bool zero) {
+        gpu::Buffer larger(run.device, capacity * each);
+        if (zero) larger.clear();
+        if (kind.count > 0) larger.copyFrom(buffer, kind.count * each);
+        buffer = std::move(larger);
+    };
+    enlarge(kind.points, kPointBytes, false);
+    enlarge(kind.marks, 4, true);
+    enlarge(kind.wanted, 4, false);
+    enlarge(kind.slots, 4, false);
+    if (mManyObjects) enlarge(kind.objects, kBytesPerSet, false);
+    kind.capacity = capacity;
+}
+
+void Beams::trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents) {
+    mParams.list.x = static_cast<unsigned>(items);
+    mParams.list.y = static_cast<unsigned>(first);
+    mParams.kind = uvec4(kind.ways, kind.length, fromParents ? 1 : 0, mSeed);
+    mBlock.upload(&mParams, sizeof mParams);
+    mBlock.bindUniform(kParamsBlock);
+    run.transport.bind();
+    run.media.bind();
+    if (run.leaves.name() != 0) run.leaves.bindSampler(kLeavesUnit);
+    kind.points.bindStorage(kPointsBuffer);
+    if (mManyObjects) kind.objects.bindStorage(kObjectsBuffer);
+    if (fromParents) {
+        kind.before->points.bindStorage(kParentsBuffer);
+        kind.before->marks.bindStorage(kWaysBuffer);
+        kind.before->wanted.bindStorage(kWantedBuffer);
+        if (mManyObjects) kind.before->objects.bindStorage(kParentObjectsBuffer);
+    }
+    run.profiler.begin("beam rays");
+    dispatchList(mTrace, items);
+    run.profiler.end();
+    run.device.check("beams");
+    run.points += static_cast<double>(items);
+}
+
+/// Lays cells down or lets them go on, and splits those that call for it, level by level.
+void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
+    if (nodes.count == 0) return;
+    gpu::Buffer beams(run.device, nodes.count * 4), splits(run.device, nodes.count * 4);
+    Nodes next{gpu::Buffer(run.device, nodes.count * kNodeBytes), 0};
+    std::array<std::uint32_t, kBeamCounts> counts{};
+    counts[kWantedCount] = static_cast<std::uint32_t>(kind.wantedCount);
+    mCounts.upload(counts.data(), mCounts.bytes());
+    mParams.list.x = static_cast<unsigned>(nodes.count);
+    mParams.kind = uvec4(kind.ways, kind.length, 0, mSeed);
+    mBlock.upload(&mParams, sizeof mParams);
+    mBlock.bindUniform(kParamsBlock);
+    kind.points.bindStorage(kPointsBuffer);
+    kind.marks.bindStorage(kWaysBuffer);
+    kind.wanted.bindStorage(kWantedBuffer);
+    kind.slots.bindStorage(kSlotsBuffer);
+    nodes.list.bindStorage(kNodesBuffer);
+    beams.bindStorage(kBeamsBuffer);
+    splits.bindStorage(kSplitsBuffer);
+    next.list.bindStorage(kNextNodesBuffer);
+    mCounts.bindStorage(kBeamCountsBuffer);
+    mBooks.bindStorage(kBooksBuffer);
+    run.profiler.begin("beam cells");
+    dispatchList(mSort, nodes.count);
+    mCounts.download(counts.data(), mCounts.bytes());
+    run.profiler.end();
+    kind.wantedCount = counts[kWantedCount];
+    next.count = counts[kNextCount];
+    if (next.count > 0) kind.next.push_back(std::move(next));
+    if (counts[kBeamCount] > 0) {
+        mParams.list.x = counts[kBeamCount];
+        mBlock.upload(&mParams, sizeof mParams);
+        run.surfaces.bind();
+        const std::uint32_t laid = counts[kBeamCount];
+        run.profiler.begin("beams");
+        dispatchList(mDeposit, 16 * std::int64_t{laid});
+        mCounts.download(counts.data(), mCounts.bytes());
+        run.profiler.end();
+        run.beams += laid;
+        run.deposits += counts[kDepositCount];
+        run.missed += counts[kMissedCount];
+        run.nearFull |= counts[kNearFullCount] != 0;
+    }
+    const std::int64_t all = counts[kSplitCount], kept = kind.count;
+    // Where its points would be too many, cells are split part by part: each is followed to its end
+    // before its points give way to the next one's.
+    const bool whole = kept + kNewPoints * all <= kMostPoints;
+    if (!whole && all > 0) follow(run, kind);
+    for (std::int64_t first = 0; first < all && !run.nearFull;) {
+        const std::int64_t part = whole ? all : std::min(kPart, all - first);
+        grow(run, kind, kept + kNewPoints * part);
+        Nodes children{gpu::Buffer(run.device, 4 * part * kNodeBytes), 4 * part};
+        mParams.list = uvec4(part, first, kept, mParams.list.w);
+        mBlock.upload(&mParams, sizeof mParams);
+        mBlock.bindUniform(kParamsBlock);
+        kind.points.bindStorage(kPointsBuffer);
+        nodes.list.bindStorage(kNodesBuffer);
+        splits.bindStorage(kSplitsBuffer);
+        children.list.bindStorage(kNextNodesBuffer);
+        dispatchList(mSplit, part);
+        trace(run, kind, kNewPoints * part, kept, false);
+        kind.count = kept + kNewPoints * part;
+        level(run, kind, children);
+        if (!whole) {
+            follow(run, kind);
+            kind.count = kept;
+        }
+        first += part;
+    }
+}
+
+/// Both kinds of path that go on from the interfaces where cells of this one wait.
+void Beams::follow(Run& run, Kind& kind) {
+    if (kind.next.empty() || run.nearFull) return;
+    kind.slots.bindStorage(kSlotsBuffer);
+    for (const Nodes& nodes : kind.next) {
+        mParams.list.x = static_cast<unsigned>(nodes.count);
+        mBlock.upload(&mParams, sizeof mParams);
+        mBlock.bindUniform(kParamsBlock);
+        nodes.list.bindStorage(kNodesBuffer);
+        dispatchList(mFollow, nodes.count);
+    }
+    for (std::uint32_t way = 0; way < 2; ++way) {
+        Kind after;
+        after.ways = kind.ways | way << kind.length;
+        after.length = kind.length + 1;
+        after.before = &kind;
+        grow(run, after, kind.wantedCount);
+        after.count = kind.wantedCount;
+        run.kinds += 1;
+        trace(run, after, kind.wantedCount, 0, true);
+        for (const Nodes& nodes : kind.next) level(run, after, nodes);
+        follow(run, after);
+    }
+    kind.next.clear();
+    kind.wantedCount = 0;
+    kind.marks.clear();
+}
+
+bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
+                  const gpu::Texture& leaves, const SurfaceReceiver& surfaces, const Window& window,
+                  const Batch& batch, double unit, BeamEnergy& energy, gpu::Profiler& profiler,
+                  Stats& stats) {
+    Run run{device, transport, media, leaves, surfaces, profiler};
+    mParams.limits.z = static_cast<float>(unit);
+    mParams.levels.y = batch.cells.x;
+    mParams.levels.z = batch.cells.y;
+    mParams.window = vec4(window.low, window.extent);
+    mParams.right = vec4(window.right, 0);
+    mParams.up = vec4(window.up, 0);
+    mParams.forward = vec4(window.forward, window.point ? 1 : 0);
+    mParams.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
+    const glm::dvec2 cell = 1.0 / glm::dvec2(window.pixels);
+    mParams.batch = vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(kCoarsest));
+    const double away = window.point ? std::max(0.5 * (window.near + window.far), 1.0) : 1.0;
+    mParams.map = vec4(window.pixelArea() * away * away, 0, 0, 0);
+    mBooks.clear();
+
+    Kind kind;
+    const std::int64_t cells = std::int64_t{batch.cells.x} * batch.cells.y;
+    const std::int64_t points = std::int64_t{2 * batch.cells.x + 1} * (2 * batch.cells.y + 1);
+    grow(run, kind, points);
+    kind.count = points;
+    Nodes nodes{gpu::Buffer(device, cells * kNodeBytes), cells};
+    mBlock.upload(&mParams, sizeof mParams);
+    mBlock.bindUniform(kParamsBlock);
+    kind.points.bindStorage(kPointsBuffer);
+    nodes.list.bindStorage(kNodesBuffer);
+    dispatchList(mGrid, points);
+    trace(run, kind, points, 0, false);
+    level(run, kind, nodes);
+    follow(run, kind);
+    if (run.nearFull) return false;
+
+    std::vector<std::uint32_t> books(static_cast<size_t>(kBooks) * kBookSlots * 3);
+    mBooks.download(books.data(), mBooks.bytes());
+    std::array<dvec3, kBooks> sums{};
+    for (size_t i = 0; i < books.size(); ++i)
+        sums[i / 3 % kBooks][static_cast<int>(i % 3)] += books[i] / double{kBookUnit};
+    energy = {sums[kBookEntered], sums[kBookLanded],  sums[kBookLeft],
+              sums[kBookDeep],    sums[kBookTrapped], sums[kBookDim]};
+    stats.count("beams", run.beams);
+    stats.count("beam_points", run.points);
+    stats.count("beam_kinds", run.kinds);
+    stats.count("beam_deposits", run.deposits);
+    if (run.missed > 0) stats.count("beam_deposits_missed", run.missed);
+    return true;
+}
+
+std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
+    const std::int64_t cells = std::min<std::int64_t>(
+        std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1), kBatchCells * kBatchCells);
+    const std::int64_t point =
+        kPointBytes + 8 + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
+    return {{"the beams", 4 * cells * point, true, 0}};
+}
+
+} // namespace eikonal::lightsim

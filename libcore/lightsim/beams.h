@@ -1,0 +1,65 @@
+// Light by beams: cells of a light's map whose corners' rays meet the same boundaries.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// After Barczak and Olano (hierarchical light volumes) and Liktor and Dachsbacher 2011 (adaptive
+// beam tracing): a quadtree over the light's map, whose cells split until what is inside them
+// follows from their corners. Every kind of path, which is a list of the ways taken at interfaces,
+// is a tree of its own. No random number decides where light goes.
+#pragma once
+
+#include "lightsim/media.h"
+#include "lightsim/photon_map.h"
+#include "lightsim/plan.h"
+#include "lightsim/surfaces.h"
+
+namespace eikonal::lightsim {
+
+/// What became of a light's power, as shares of what its map's weight stands for: rgb, or the first
+/// component alone.
+struct BeamEnergy {
+    glm::dvec3 entered{0}, landed{0}, left{0}, deep{0}, trapped{0}, dim{0};
+};
+
+class Beams {
+public:
+    Beams(gpu::Device& device, const Plan& plan, const Params& params);
+
+    /// The windows through which a light in voxel space sees the domain, pixels being cells of the
+    /// coarsest level.
+    std::vector<Window> windowsOf(const Light& light) const;
+
+    /// A part of a window that is carried at once: cells from `low` on.
+    struct Batch {
+        glm::ivec2 low{0}, cells{0};
+    };
+    static std::vector<Batch> batchesOf(const Window& window);
+
+    /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a cell of the
+    /// coarsest level. Returns whether every sum held it, and what became of the power [cells].
+    bool carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
+               const gpu::Texture& leaves, const SurfaceReceiver& surfaces, const Window& window,
+               const Batch& batch, double unit, BeamEnergy& energy, gpu::Profiler& profiler,
+               Stats& stats);
+
+private:
+    struct Nodes;
+    struct Kind;
+    struct Run;
+    void trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents);
+    void level(Run& run, Kind& kind, const Nodes& nodes);
+    void follow(Run& run, Kind& kind);
+    void grow(Run& run, Kind& kind, std::int64_t points);
+
+    gpu::Program mGrid, mTrace, mSort, mSplit, mFollow, mDeposit;
+    gpu::Buffer mBlock, mCounts, mBooks;
+    BeamParams mParams{};
+    VoxelBox mDomain;
+    std::int64_t mCells;
+    std::uint32_t mSeed;
+    bool mManyObjects;
+};
+
+/// What beams take on the device.
+std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params);
+
+} // namespace eikonal::lightsim

@@ -1,0 +1,152 @@
+// Opaque surfaces that receive light: fixed-point sums that become irradiance.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lightsim/surfaces.h"
+
+#include "lightsim/dispatch.h"
+#include "scene/block_table.h"
+
+#include <algorithm>
+
+namespace eikonal::lightsim {
+
+namespace {
+
+using glm::ivec3;
+
+gpu::Switches switchesOf(const Plan& plan, int measure) {
+    gpu::Switches switches = scene::transportSwitches(plan.scene, {});
+    std::erase_if(switches, [](const auto& item) { return item.first == "INTEGRATOR"; });
+    switches.emplace_back("MEASURE", measure);
+    return switches;
+}
+
+ivec3 rowsFor(std::int64_t count, int planes) {
+    return scene::rowsFor(static_cast<size_t>(count) * static_cast<size_t>(planes));
+}
+
+gpu::Buffer bufferOf(gpu::Device& device, const std::vector<std::uint32_t>& values) {
+    return {device, static_cast<std::int64_t>(values.size() * 4), values.data()};
+}
+
+} // namespace
+
+SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
+                                 const scene::Transport& transport, const Media& media,
+                                 gpu::Profiler& profiler)
+    : mCollect(device, "lightsim/collect.comp.glsl",
+               {{"CHANNELS", plan.tracedChannels()}, {"FLUENCE", plan.fluenceChannels()}}),
+      mIrradiance(device, "lightsim/irradiance.comp.glsl", {{"FLUENCE", plan.fluenceChannels()}}),
+      mBlock(device, sizeof(LayoutParams)), mChannels(plan.tracedChannels()),
+      mStored(plan.fluenceChannels()), mVoxelSize(plan.scene.voxelSize()) {
+    const OpaqueSurfaces& surfaces = plan.surfaces;
+    const int detail = surfaces.detail, words = scene::maskWords(detail);
+    transport.bind();
+    media.bind();
+    LayoutParams values{};
+    values.size = ivec4(plan.scene.size(), detail);
+    values.list = ivec4(static_cast<int>(surfaces.voxels.size()), words, 0, 0);
+    std::vector<std::uint32_t> masks(surfaces.voxels.size() * static_cast<size_t>(words));
+    { // which fine voxels
+        const gpu::Program mark(device, "lightsim/surface.comp.glsl", switchesOf(plan, 0));
+        const gpu::Buffer list = bufferOf(device, surfaces.voxels);
+        gpu::Buffer bits = bufferOf(device, masks);
+        mBlock.upload(&values, sizeof values);
+        mBlock.bindUniform(kParamsBlock);
+        list.bindStorage(kVoxelListBuffer);
+        bits.bindStorage(kMasksBuffer);
+        profiler.begin("surface voxels");
+        dispatchList(mark, values.list.x);
+        profiler.end();
+        bits.download(masks.data(), bits.bytes());
+    }
+    mVoxels = scene::SurfaceVoxels(plan.scene.size(), detail, surfaces.voxels, masks);
+    mTable = scene::SurfaceTable(device, mVoxels);
+    mList = bufferOf(device, mVoxels.voxels);
+    mAreas = gpu::Buffer(device, mVoxels.count * 8);
+    const gpu::Program measure(device, "lightsim/surface.comp.glsl", switchesOf(plan, 1));
+    values.list.x = static_cast<int>(mVoxels.voxels.size());
+    mBlock.upload(&values, sizeof values);
+    mBlock.bindUniform(kParamsBlock);
+    mTable.bind();
+    mList.bindStorage(kVoxelListBuffer);
+    mAreas.bindStorage(kAreasBuffer);
+    profiler.begin("surface areas");
+    dispatchList(measure, values.list.x);
+    profiler.end();
+    device.check("surface voxels");
+    mSums = gpu::Texture(device, rowsFor(mVoxels.count, mChannels), gpu::TexelFormat::r32ui,
+                         gpu::Filter::nearest);
+    mPower = gpu::Texture(device, rowsFor(mVoxels.count, mStored), gpu::TexelFormat::r32f,
+                          gpu::Filter::nearest);
+    mPower.clear();
+    clearSums();
+}
+
+void SurfaceReceiver::bind() const {
+    mTable.bind();
+    mSums.bindImage(kSurfaceSumsImage);
+}
+
+void SurfaceReceiver::clearSums() {
+    mSums.clear();
+}
+
+void SurfaceReceiver::collect(gpu::Device& device, const glm::dvec3& rgb, double power,
+                              double unit) {
+    LayoutParams values{};
+    values.list.z = static_cast<int>(mVoxels.count);
+    values.weight = vec4(rgb * (power / unit), 0);
+    mBlock.upload(&values, sizeof values);
+    mBlock.bindUniform(kParamsBlock);
+    bind();
+    mPower.bindImage(kSurfacePowerImage);
+    dispatchList(mCollect, mVoxels.count);
+    device.check("collecting light on surfaces");
+    clearSums();
+}
+
+volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
+    mSums = gpu::Texture(); // its memory serves the result
+    gpu::Texture result(device, mPower.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);
+    LayoutParams values{};
+    values.size = ivec4(mVoxels.size, mVoxels.detail);
+    values.list = ivec4(static_cast<int>(mVoxels.voxels.size()), 0, mVoxels.count, 0);
+    values.weight.w = static_cast<float>(mVoxelSize * mVoxelSize);
+    mBlock.upload(&values, sizeof values);
+    mBlock.bindUniform(kParamsBlock);
+    mTable.bind();
+    mList.bindStorage(kVoxelListBuffer);
+    mAreas.bindStorage(kAreasBuffer);
+    mPower.bindImage(kSurfacePowerImage);
+    result.bindImage(kIrradianceImage);
+    dispatchList(mIrradiance, values.list.x);
+    device.check("irradiance");
+    const ivec3 rows = result.size();
+    std::vector<float> stored(static_cast<size_t>(rows.x) * rows.y * rows.z);
+    result.download(stored.data(), result.bytes());
+    volume::FineGrid found;
+    found.detail = mVoxels.detail;
+    found.voxels.resize(static_cast<size_t>(mVoxels.count));
+    found.values.resize(found.voxels.size());
+    mVoxels.forEach([&](std::uint32_t number, const ivec3& fine) {
+        found.voxels[number] = fine;
+        for (int c = 0; c < 3; ++c)
+            found.values[number][c] =
+                stored[number +
+                       static_cast<size_t>(std::min(c, mStored - 1)) * found.voxels.size()];
+    });
+    return found;
+}
+
+std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {
+    const OpaqueSurfaces& surfaces = plan.surfaces;
+    const std::int64_t count = surfaces.about();
+    std::vector<gpu::Need> needs = scene::surfaceTableNeeds(
+        static_cast<std::int64_t>(surfaces.voxels.size()) / 2, surfaces.detail);
+    needs.push_back({"the areas of surface voxels", 8 * count, true, 0});
+    needs.push_back({"the light on surfaces",
+                     4 * count * (plan.tracedChannels() + plan.fluenceChannels()), false, 0});
+    return needs;
+}
+
+} // namespace eikonal::lightsim

@@ -1,0 +1,48 @@
+// Opaque surfaces that receive light: fixed-point sums that become irradiance.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/program.h"
+#include "gpu/resources.h"
+#include "lightsim/media.h"
+#include "lightsim/plan.h"
+#include "lightsim/result.h"
+#include "lightsim/shared.h"
+#include "scene/surface_voxels.h"
+#include "scene/transport.h"
+
+namespace eikonal::lightsim {
+
+class SurfaceReceiver {
+public:
+    SurfaceReceiver() = default;
+    /// Finds the surface voxels and how much of a surface each has.
+    SurfaceReceiver(gpu::Device& device, const Plan& plan, const scene::Transport& transport,
+                    const Media& media, gpu::Profiler& profiler);
+
+    /// What power is added to, and the table of surface voxels.
+    void bind() const;
+    void clearSums();
+    /// Adds what the sums hold to the power, and clears them. `rgb` is the light's, `unit` of fixed
+    /// point stands for `power` of it [m² or sr].
+    void collect(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
+    /// Power over area, after which nothing more is received.
+    volume::FineGrid finish(gpu::Device& device);
+
+    std::int64_t count() const { return mVoxels.count; }
+    int detail() const { return mVoxels.detail; }
+
+private:
+    scene::SurfaceVoxels mVoxels;
+    scene::SurfaceTable mTable;
+    gpu::Program mCollect, mIrradiance;
+    gpu::Buffer mBlock, mList, mAreas;
+    gpu::Texture mSums, mPower;
+    int mChannels = 1, mStored = 1;
+    double mVoxelSize = 1;
+};
+
+/// What they take on the device.
+std::vector<gpu::Need> surfaceNeeds(const Plan& plan);
+
+} // namespace eikonal::lightsim

@@ -1,0 +1,202 @@
+// Lays beams down on surfaces: by triangles, of which every surface voxel gets its share of the area.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A triangle that light has turned over, or folded into a line, carries its power all the same.
+#include "lib/cut.glsl"
+#include "lib/random.glsl"
+#include "lightsim/beam_node.glsl"
+#include "lightsim/surface_deposit.glsl"
+#include "shared/beam_params.h"
+#include "shared/bindings.h"
+#include "transport/status.glsl"
+
+#ifndef CHANNELS
+#error CHANNELS must be 1 or 3
+#endif
+
+layout(local_size_x = 64) in;
+layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
+layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
+layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
+layout(std430, binding = kBeamsBuffer) readonly buffer Beams { uint beams[]; };
+layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
+
+const int kParts = 4;        // work items along an edge of a beam
+const float kDensity = 80.0; // cells along it for a bend as large as itself
+const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
+const float kThin = 1.0e-3; // a triangle no wider is a line [fine voxel]
+
+// Coordinates with the surface's steepest axis last, and back.
+vec3 turnedTo(int axis, vec3 p) {
+    return axis == 0 ? p.yzx : axis == 1 ? p.zxy : p;
+}
+
+ivec3 turnedBack(int axis, ivec3 p) {
+    return axis == 0 ? p.zxy : axis == 1 ? p.yzx : p;
+}
+
+// Adds power in fixed point to the surface voxel there, or the next along the axis.
+void put(ivec3 fine, int axis, vec3 amount, inout float phase) {
+    uint fullest = putOnSurface(fine, axisVector(axis), amount, phase);
+    if (fullest == kMissedSurface) atomicAdd(counts[kMissedCount], 1u);
+    else if (fullest >= kNearFull) atomicOr(counts[kNearFullCount], 1u);
+}
+
+// A triangle without area: its power lies along its longest side.
+void putLine(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
+    vec3 ab = b - a;
+    vec3 bc = c - b;
+    vec3 ca = a - c;
+    vec3 from = a;
+    vec3 side = ab;
+    if (dot(bc, bc) > dot(side, side)) { from = b; side = bc; }
+    if (dot(ca, ca) > dot(side, side)) { from = c; side = ca; }
+    int parts = clamp(int(2.0 * length(side)) + 1, 1, 64);
+    for (int i = 0; i < parts; ++i) {
+        vec3 at = from + ((float(i) + 0.5) / float(parts)) * side;
+        put(turnedBack(axis, ivec3(floor(at))), axis, amount / float(parts), phase);
+    }
+}
+
+uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
+    vec2 ab = b.xy - a.xy;
+    vec2 ac = c.xy - a.xy;
+    float area = 0.5 * (ab.x * ac.y - ab.y * ac.x);
+    vec2 bc = c.xy - b.xy;
+    float longest = sqrt(max(dot(ab, ab), max(dot(ac, ac), dot(bc, bc))));
+    if (2.0 * abs(area) <= kThin * max(longest, kThin)) {
+        putLine(a, b, c, axis, amount, phase);
+        return 1u;
+    }
+    ivec3 low = ivec3(floor(min(a, min(b, c))));
+    ivec3 count = ivec3(floor(max(a, max(b, c)))) - low + 1;
+    vec3 origin = vec3(low);
+    a -= origin;
+    b -= origin;
+    c -= origin;
+    sortCorners(a, b, c);
+    ab = b.xy - a.xy;
+    ac = c.xy - a.xy;
+    area = 0.5 * (ab.x * ac.y - ab.y * ac.x);
+    uint deposits = 0u;
+    ivec3 at = ivec3(0);
+    while (at.z < count.z) { // one loop for all three axes: lanes of a vector need not wait for each other
+        float part = areaBelow(a, b, c, vec2(at.xy), float(at.z + 1));
+        if (at.z > 0) part -= areaBelow(a, b, c, vec2(at.xy), float(at.z));
+        float share = clamp(part / area, 0.0, 1.0);
+        if (share > 1.0e-6) {
+            put(turnedBack(axis, low + at), axis, share * amount, phase);
+            ++deposits;
+        }
+        ++at.x;
+        bool rowEnds = at.x == count.x;
+        at.x = rowEnds ? 0 : at.x;
+        at.y += rowEnds ? 1 : 0;
+        bool slabEnds = at.y == count.y;
+        at.y = slabEnds ? 0 : at.y;
+        at.z += slabEnds ? 1 : 0;
+    }
+    return deposits;
+}
+
+// The polynomials of second degree that are 1 at one of 0, ½, 1 and 0 at the others.
+vec3 weightsAt(float t) {
+    return vec3((1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0));
+}
+
+struct Patch {
+    vec3 place[9];  // [fine voxel]
+    vec3 weight[9];
+};
+
+vec3 placeIn(Patch patch_, vec2 at) {
+    vec3 u = weightsAt(at.x);
+    vec3 v = weightsAt(at.y);
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < 3; ++j)
+        sum += v[j] * (u.x * patch_.place[3 * j] + u.y * patch_.place[3 * j + 1] + u.z * patch_.place[3 * j + 2]);
+    return sum;
+}
+
+vec3 weightIn(Patch patch_, vec2 at) {
+    vec3 u = weightsAt(at.x);
+    vec3 v = weightsAt(at.y);
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < 3; ++j)
+        sum += v[j] * (u.x * patch_.weight[3 * j] + u.y * patch_.weight[3 * j + 1] + u.z * patch_.weight[3 * j + 2]);
+    return max(sum, vec3(0.0));
+}
+
+// Cells along one side of a patch, whose rows have their points `step` apart and begin `row` apart.
+int cellsAlong(Patch patch_, int step, int row) {
+    float bend = 0.0;
+    float extent = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        vec3 a = patch_.place[i * row];
+        vec3 b = patch_.place[i * row + step];
+        vec3 c = patch_.place[i * row + 2 * step];
+        bend = max(bend, length(0.5 * (a + c) - b));
+        extent = max(extent, length(c - a));
+    }
+    float wanted = min(max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat)), 1.5 * max(extent, 2.0 * bend));
+    return clamp(int(ceil(wanted)), 1, 64);
+}
+
+void main() {
+    uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
+    if (item >= kParts * kParts * params.list.x) return;
+    uint entry = beams[item / (kParts * kParts)];
+    ivec2 part = ivec2(item % kParts, item / kParts % kParts);
+    BeamNode node = nodes[entry & 0x7FFFFFFFu];
+    uint middle = node.second.x;
+    float edge = float(node.place.z) / float(params.levels.x);
+    float unit = params.limits.z * edge * edge;
+    float phase = uniformOf(pcgHash(uint(node.place.x) ^ pcgHash(uint(node.place.y) ^ pcgHash(16u * params.kind.w + item % (kParts * kParts)))));
+    vec3 normal = abs(points[middle].wave.xyz);
+    int axis = axisOf(normal);
+    float fine = float(surface.size.w);
+    uint deposits = 0u;
+    if (entry >= 0x80000000u) {
+        // One that came so from the interface before has its middle alone, else all points their shares.
+        bool single = node.state.x == 1u;
+        int own = part.y * kParts + part.x;
+        if (own < 9 && (!single || own == 4)) {
+            BeamPoint point = points[pointOf(node, own)];
+            if (point.event.x == uint(kStopped)) {
+                float share = single ? uintBitsToFloat(node.state.z) : shareOf(own);
+                normal = abs(point.wave.xyz);
+                axis = axisOf(normal);
+                put(fineVoxelAt(point.place.xyz), axis, unit * share * point.weight.xyz, phase);
+                deposits = 1u;
+            }
+        }
+    } else {
+        Patch patch_;
+        for (int i = 0; i < 9; ++i) {
+            BeamPoint point = points[pointOf(node, i)];
+            patch_.place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
+            patch_.weight[i] = point.weight.xyz;
+        }
+        // As many cells along each of its sides as it takes for them to be straight and of one density.
+        ivec2 cells = ivec2(cellsAlong(patch_, 1, 3), cellsAlong(patch_, 3, 1));
+        ivec2 each = (cells + kParts - 1) / kParts;
+        ivec2 from = part * each;
+        ivec2 to = min(from + each, cells);
+        vec2 size = 1.0 / vec2(cells);
+        vec3 amount = vec3(unit * size.x * size.y * 0.5);
+        ivec2 cell = from;
+        while (cell.y < to.y && cell.x < to.x) {
+            vec2 at = vec2(cell) * size;
+            vec3 a = placeIn(patch_, at);
+            vec3 b = placeIn(patch_, at + vec2(size.x, 0.0));
+            vec3 c = placeIn(patch_, at + size);
+            vec3 d = placeIn(patch_, at + vec2(0.0, size.y));
+            vec3 power = amount * weightIn(patch_, at + 0.5 * size);
+            deposits += putTriangle(a, b, c, axis, power, phase);
+            deposits += putTriangle(a, c, d, axis, power, phase);
+            bool ends = ++cell.x == to.x;
+            if (ends) cell = ivec2(from.x, cell.y + 1);
+        }
+    }
+    atomicAdd(counts[kDepositCount], deposits);
+}

@@ -1,0 +1,12 @@
+// The nine points of a cell of the light's map, three by three, row by row.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/beam_params.h"
+
+uint pointOf(BeamNode node, int i) {
+    return i < 4 ? node.first[i] : i < 8 ? node.second[i - 4] : uint(node.place.w);
+}
+
+// A point's share of a cell (Simpson's rule).
+float shareOf(int i) {
+    return i == 4 ? 16.0 / 36.0 : (i & 1) == 1 ? 4.0 / 36.0 : 1.0 / 36.0;
+}

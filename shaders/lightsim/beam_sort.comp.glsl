@@ -1,0 +1,164 @@
+// What becomes of each cell of the light's map: it is laid down, goes on from an interface, is split, or ends.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A cell is a beam where its corners and its middle met the same boundaries in the same order, and its
+// middle lies where its corners say (Liktor and Dachsbacher 2011 split by the same two). One that can't be
+// split any more stands for what its middle met.
+#include "lightsim/beam_node.glsl"
+#include "shared/beam_params.h"
+#include "shared/bindings.h"
+#include "transport/status.glsl"
+
+#ifndef CHANNELS
+#error CHANNELS must be 1 or 3
+#endif
+
+layout(local_size_x = 64) in;
+layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
+layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
+layout(std430, binding = kWaysBuffer) buffer Ways { uint ways[]; };
+layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
+layout(std430, binding = kBeamsBuffer) writeonly buffer Beams { uint beams[]; };
+layout(std430, binding = kSplitsBuffer) writeonly buffer Splits { uint splits[]; };
+layout(std430, binding = kNextNodesBuffer) writeonly buffer NextNodes { BeamNode nextNodes[]; };
+layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
+layout(std430, binding = kBooksBuffer) buffer Books { uint books[]; };
+layout(std430, binding = kWantedBuffer) writeonly buffer Wanted { uint wanted[]; };
+layout(std430, binding = kSlotsBuffer) writeonly buffer Slots { uint slots[]; };
+
+const int kSmallest = 2; // edge of a cell whose middle is a place on the map
+
+// A beam's inside is a polynomial of second degree through its points. How far it bends from its corners' mean
+// may be so much of its extent: what third order adds to its density goes with the square of that. Where light is
+// spread so thin that it adds little to what falls on surfaces, more will do.
+const float kMostBend = 0.03;
+const float kFaint = 0.01; // share of the light's own irradiance below which it makes no difference
+const float kFlat = 0.1;   // a bend of so much of a fine voxel is none
+const float kDot = 0.25;   // an extent of so much of one is a point,
+const int kTold = 3;       // if so many points tell it
+
+float brightest(vec3 weight) {
+    return CHANNELS == 3 ? max(weight.x, max(weight.y, weight.z)) : weight.x;
+}
+
+void enter(int book, vec3 power) {
+    uint slot = (gl_WorkGroupID.x + gl_WorkGroupID.y) % uint(kBookSlots);
+    uint first = (slot * uint(kBooks) + uint(book)) * 3u;
+    for (int c = 0; c < CHANNELS; ++c)
+        if (power[c] > 0.0) atomicAdd(books[first + uint(c)], uint(power[c] * kBookUnit + 0.5));
+}
+
+int bookOf(int status) {
+    return status == kStopped   ? kBookLanded
+           : status == kLeft    ? kBookLeft
+           : status == kDeep    ? kBookDeep
+           : status == kTrapped ? kBookTrapped
+                                : -1;
+}
+
+void want(uint point, uint bits) {
+    uint before = atomicOr(ways[point], bits);
+    if (before != 0u) return;
+    uint slot = atomicAdd(counts[kWantedCount], 1u);
+    wanted[slot] = point;
+    slots[point] = slot;
+}
+
+bool isIdle(int status) {
+    return status != kStopped && status != kMeets;
+}
+
+void main() {
+    uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
+    if (item >= params.list.x) return;
+    BeamNode node = nodes[item];
+    if (params.kind.y > 0u && (node.state.y >> (params.kind.x >> (params.kind.y - 1u) & 1u) & 1u) == 0u)
+        return; // it does not go that way
+    bool single = node.state.x == 1u;
+    BeamPoint middle = points[node.second.x];
+    int status = int(middle.event.x);
+    float edge = float(node.place.z) / float(params.levels.x);
+    float area = edge * edge;
+    bool agree = true;
+    bool idle = isIdle(status);
+    vec3 mean = vec3(0.0);
+    vec3 low = middle.place.xyz;
+    vec3 high = low;
+    vec3 corner[4];
+    float on = brightest(middle.weight.xyz) * (1.0 - middle.weight.w);
+    float back = brightest(middle.weight.xyz) * middle.weight.w;
+    int landed = status == kStopped && single ? 1 : 0;
+    for (int i = 0; i < 9 && !single; ++i) {
+        BeamPoint point = points[pointOf(node, i)];
+        int its = int(point.event.x);
+        agree = agree && its == status && point.event.y == middle.event.y;
+        idle = idle && isIdle(its);
+        if (its == kStopped) {
+            low = landed > 0 ? min(low, point.place.xyz) : point.place.xyz;
+            high = landed > 0 ? max(high, point.place.xyz) : point.place.xyz;
+            ++landed;
+        }
+        if (i == 0) corner[0] = point.place.xyz;
+        if (i == 2) corner[1] = point.place.xyz;
+        if (i == 6) corner[2] = point.place.xyz;
+        if (i == 8) corner[3] = point.place.xyz;
+        on = max(on, brightest(point.weight.xyz) * (1.0 - point.weight.w));
+        back = max(back, brightest(point.weight.xyz) * point.weight.w);
+    }
+    float fine = float(params.size.w);
+    float extent = fine * max(high.x - low.x, max(high.y - low.y, high.z - low.z));
+    bool split = !single && !idle && !agree && (extent > kDot || landed < kTold);
+    if (!single && agree && status == kStopped) {
+        float dense = area * params.map.x * brightest(middle.weight.xyz);
+        vec3 across = cross(corner[3] - corner[0], corner[2] - corner[1]);
+        float share = clamp(dense / max(0.5 * length(across), 1.0e-20), kFaint, 1.0); // of the light's own
+        float bend = fine * distance(0.25 * (corner[0] + corner[1] + corner[2] + corner[3]), middle.place.xyz);
+        float most = min(sqrt(params.limits.w * extent) / share, kMostBend * inversesqrt(share) * extent);
+        split = bend > max(most, kFlat) || extent > float(params.levels.w);
+    }
+    if (split && node.place.z > kSmallest) {
+        splits[atomicAdd(counts[kSplitCount], 1u)] = item;
+        return;
+    }
+    // Too small to be a beam: each of its points stands for its share. Those that wait at an interface go on
+    // as one, from the middle if that is among them.
+    bool alone = single || !agree;
+    uint waits = uint(node.second.x);
+    float waiting = single ? uintBitsToFloat(node.state.z) : 0.0;
+    for (int i = 0; i < 9 && alone && !single; ++i) {
+        if (points[pointOf(node, i)].event.x != uint(kMeets)) continue;
+        waits = status == kMeets ? waits : pointOf(node, i);
+        waiting += shareOf(i);
+    }
+    BeamPoint head = middle;
+    if (alone && status != kMeets && waiting > 0.0) head = points[waits];
+    float least = params.limits.y / edge; // a small cell carries little: half the edge, twice the share
+    if (alone) {
+        on = brightest(head.weight.xyz) * (1.0 - head.weight.w);
+        back = brightest(head.weight.xyz) * head.weight.w;
+    }
+    uint follow = 0u;
+    if (int(head.event.x) == kMeets) follow = (on >= least ? 1u : 0u) | (back >= least ? 2u : 0u);
+    for (int i = 0; i < 9; ++i) { // books
+        if (single && i != 4) continue;
+        BeamPoint point = points[pointOf(node, i)];
+        float share = single ? waiting : shareOf(i);
+        vec3 power = area * share * point.weight.xyz;
+        int its = int(point.event.x);
+        int book = bookOf(its);
+        if (book >= 0) enter(book, power);
+        if (its == kMeets)
+            enter(kBookDim, power * (((follow & 1u) == 0u ? 1.0 - point.weight.w : 0.0) +
+                                     ((follow & 2u) == 0u ? point.weight.w : 0.0)));
+        if (params.kind.y == 0u && its != kNone) enter(kBookEntered, power);
+    }
+    if (status == kStopped || landed > 0) beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
+    if (follow != 0u) {
+        BeamNode next = node;
+        next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);
+        if (alone) next.second.x = waits;
+        nextNodes[atomicAdd(counts[kNextCount], 1u)] = next;
+        for (int i = 0; i < 9; ++i)
+            if (!alone || i == 4) want(pointOf(next, i), follow);
+    }
+}

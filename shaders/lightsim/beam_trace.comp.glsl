@@ -1,0 +1,217 @@
+// Points of beams: a light's rays, each along one kind of path to the event that follows it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A kind of path is the list of ways taken at the interfaces met: 0 on, 1 back. A point of a kind goes on from
+// that of the kind before it, one interface short of it, where that is known, else it starts at the light.
+#include "shared/beam_params.h"
+#include "shared/bindings.h"
+#include "lib/attenuation.glsl"
+#include "lib/random.glsl"
+#include "transport/integrate.glsl"
+#include "transport/interface.glsl"
+#include "transport/path.glsl"
+
+#if !defined(CHANNELS) || !defined(MEDIUM)
+#error CHANNELS must be 1 or 3, MEDIUM 0 to 2
+#endif
+const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
+const bool kColour = CHANNELS == 3; // media or mirrors' tints differ by wavelength
+
+layout(local_size_x = 64) in;
+layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
+layout(std430, binding = kPointsBuffer) buffer Points { BeamPoint points[]; };
+layout(std430, binding = kParentsBuffer) readonly buffer Parents { BeamPoint parents[]; };
+layout(std430, binding = kWaysBuffer) readonly buffer Ways { uint ways[]; }; // of parents
+layout(std430, binding = kWantedBuffer) readonly buffer Wanted { uint wanted[]; };
+layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
+layout(std430, binding = kParentObjectsBuffer) readonly buffer ParentObjects { ObjectSet parentObjects[]; };
+layout(binding = kOpacityFieldUnit) uniform sampler3D opacityField;
+#include "lightsim/medium.glsl"
+#include "lightsim/step_limit.glsl"
+#include "transport/opaque_voxels.glsl"
+
+struct Load {
+    int taken;      // ways taken so far
+    uint met;       // hash of what was met
+    int object;     // of the boundary that it stopped at
+    float mirrored; // share that the interface there reflects
+    vec3 outward;   // normal of the surface it landed on
+    vec3 clear;     // opaque voxels: the last point known to be outside them
+};
+
+const bool kSamples = kMedium || kOpaqueVoxels;
+const bool kMeasures = false;
+const bool kEqualSteps = false;
+#include "transport/trace.glsl"
+
+float opacityAt(vec3 x) {
+    return textureLod(opacityField, coordinate(x), 0.0).x;
+}
+
+float stepLimit(Ray ray, float n) {
+    return leafLimitFrom(ray.x, ray.w / n) / n;
+}
+
+float pieceLimit(int region, vec3 x, vec3 direction, float n) {
+    return kOpaqueVoxels                           ? 0.5
+           : !kMedium                              ? 1.0e9
+           : kObjects == 0                         ? leafLimitFrom(x, direction)
+           : kVaries && coefficientsVaryIn(region) ? 1.0
+                                                   : 1.0e9;
+}
+
+void dim(inout Path path, vec3 sigma, float extent) {
+    path.throughput.x *= attenuationOf(sigma.x * extent).through;
+    if (kColour) {
+        path.throughput.y *= attenuationOf(sigma.y * extent).through;
+        path.throughput.z *= attenuationOf(sigma.z * extent).through;
+    }
+}
+
+void onPiece(inout Path path, inout Load load, Piece piece) {
+    float extent = piece.extent;
+    vec3 end = piece.start + piece.along;
+    if (kOpaqueVoxels && opacityAt(end) > 0.5) {
+        vec3 at = opaqueBetween(load.clear, end);
+        extent = max(dot(at - piece.start, piece.direction), 0.0);
+        path.status = kStopped;
+        path.ray.x = at;
+        load.outward = opaqueNormalAt(at);
+    } else {
+        load.clear = end;
+    }
+    if (kMedium) {
+        Extinction medium = extinctionOf(piece);
+        dim(path, medium.absorbed + medium.scattered, extent);
+    }
+}
+
+void remember(inout Load load, int object, int there) {
+    load.met = pcgHash(load.met ^ uint(object + 1 + 128 * (there + 1)));
+}
+
+void onSurface(inout Path path, inout Load load, Interface at) {
+    remember(load, at.object, at.there);
+    load.outward = -at.normal;
+}
+
+void onInterface(inout Path path, inout Load load, Interface at) {
+    Outgoing outgoing[kMostOutgoing];
+    int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
+    if (load.taken == int(params.kind.y)) {
+        path.status = path.depth >= int(params.list.w) ? kDeep : kMeets;
+        load.object = at.object;
+        load.mirrored = rays > 1 ? outgoing[1].share : 1.0;
+        remember(load, at.object, at.there);
+        return;
+    }
+    bool back = (params.kind.x >> load.taken & 1u) == 1u;
+    ++load.taken;
+    ++path.depth;
+    remember(load, at.object, back ? -1 : at.there);
+    if (rays == 1 && !back) path.status = kFaded; // there is no way on
+    Outgoing ray = outgoing[0];
+    if (back) ray = outgoing[1];
+    path.throughput *= ray.share * ray.tint;
+    path.ray.w = ray.w;
+    path.objects = ray.objects;
+    path.departs = ray.departs;
+}
+
+bool onEnd(inout Path path, inout Load load) {
+    return false;
+}
+
+// A ray from the light through a place on its map, if it meets the domain.
+Path pathFromLight(ivec2 map) {
+    vec2 share = params.batch.xy + params.batch.zw * vec2(map);
+    vec2 at = params.window.xy + params.window.zw * share;
+    bool point = params.forward.w == 1.0;
+    bool within = params.origin.w == 1.0;
+    vec3 direction = params.forward.xyz;
+    vec3 x = params.origin.xyz;
+    float weight = 1.0;
+    if (point) {
+        direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
+        float q = 1.0 / (1.0 + dot(at, at));
+        weight = q * sqrt(q); // solid angle over that of a part of the map straight ahead
+    } else {
+        x = at.x * params.right.xyz + at.y * params.up.xyz;
+    }
+    vec3 high = 2.0 * transport.halfSize.xyz - 0.5;
+    Path path = pathFrom(x, direction, 1 << 16);
+    path.throughput = vec3(weight);
+    if (!within) {
+        vec2 span = boxSpan(x, direction, vec3(-0.5), high);
+        if (point) span.x = max(span.x, 0.0);
+        if (span.x >= span.y) {
+            path.status = kNone;
+            return path;
+        }
+        path.ray.x = clampToDomain(x + span.x * direction);
+    } else if (isLeaving(path.ray)) { // on a face of the domain: half of its rays go elsewhere
+        path.status = kNone;
+        return path;
+    }
+    path.objects = objectsAt(path.ray.x, direction, within);
+    path.ray.w *= indexOf(regionOf(path.objects), path.ray.x);
+    return path;
+}
+
+// From the interface that the kind before stopped at.
+Path pathFromParent(uint id, inout Load load) {
+    BeamPoint parent = parents[id];
+    Path path = pathFrom(parent.place.xyz, parent.wave.xyz, 1 << 16);
+    path.throughput = parent.weight.xyz;
+    path.objects = ObjectSet(parent.event.w & 0xFFFFu);
+    if (kMany) path.objects = parentObjects[id];
+    path.depth = int(parent.event.w >> 16u);
+    load.met = parent.event.y;
+    load.taken = int(params.kind.y) - 1;
+    int object = int(parent.event.z);
+    bool goes = parent.event.x == uint(kMeets) && (ways[id] >> (params.kind.x >> load.taken & 1u) & 1u) == 1u;
+    if (goes && kObjects > 0) {
+        Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
+        onInterface(path, load, interfaceAt(path.ray, path.objects, hit));
+    } else {
+        path.status = kNone;
+    }
+    return path;
+}
+
+void main() {
+    uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
+    if (item >= params.list.x) return;
+    bool goesOn = params.kind.z == 1u;
+    uint id = goesOn ? item : params.list.y + item;
+    Load load = Load(0, 1u, -1, 1.0, vec3(0.0), vec3(0.0));
+    Path path;
+    ivec2 map;
+    if (goesOn) {
+        uint parent = wanted[item];
+        path = pathFromParent(parent, load);
+        map = parents[parent].map.xy;
+    } else {
+        map = points[id].map.xy;
+        path = pathFromLight(map);
+    }
+    load.clear = path.ray.x;
+    if (path.status == kAlive) {
+        if (isOpaque(regionOf(path.objects)) || (kOpaqueVoxels && opacityAt(path.ray.x) > 0.5)) {
+            path.status = kStopped; // cut open by the domain's face
+            load.outward = faceNormal(path.ray.x);
+        } else {
+            trace(path, load);
+        }
+    }
+    if (path.status == kAlive) path.status = kTrapped;
+    if (load.taken < int(params.kind.y)) path.status = path.status == kTrapped ? kTrapped : kNone;
+    BeamPoint point;
+    point.place = vec4(path.ray.x, 0.0);
+    point.wave = vec4(path.status == kStopped ? load.outward : path.ray.w, 0.0);
+    point.weight = vec4(path.throughput, load.mirrored);
+    point.event = uvec4(path.status, load.met, uint(load.object), firstBits(path.objects) | uint(path.depth) << 16u);
+    point.map = ivec4(map, 0, 0);
+    points[id] = point;
+    if (kMany) inObjects[id] = path.objects;
+}

@@ -1,0 +1,73 @@
+// What the kernels of beams and of surfaces that receive light are told, and what these read and
+// write. Read by C++ and GLSL; vec4-sized members only. SPDX-License-Identifier: GPL-3.0-or-later
+
+// Of the kernels that lay out surface voxels and make irradiance.
+struct LayoutParams {
+    ivec4 size;  // voxels of the domain; w: fine voxels along an edge of one
+    ivec4 list;  // x: voxels to look at; y: the channel of light, z: surface voxels in all
+    vec4 weight; // rgb: power of one unit of fixed point [W]; w: area of a voxel's face [m²]
+};
+
+// Where a light's ray is at an event: on the opaque surface it landed on, at an interface, or gone.
+struct BeamPoint {
+    vec4 place;  // x [voxel]
+    vec4 wave;   // w = n dx/ds on arrival; of one that landed the outward normal
+    vec4 weight; // its power over that of its cell of the light's map, rgb or the first alone;
+                 // w: the share that an interface reflects, 1: all of it
+    uvec4
+        event; // x: its status, y: what it met on the way, z: the object of the boundary it is at,
+               // w: of few objects those it is in, and from bit 16 on the interfaces it has met
+    ivec4 map; // xy: its place on the light's map [finest cell]
+};
+
+// A cell of the light's map, a beam where its nine points agree: three by three, row by row.
+struct BeamNode {
+    uvec4 first;  // points 0 to 3
+    uvec4 second; // points 4, its middle, to 7
+    ivec4 place;  // xy: its low corner, z: its edge [finest cell], w: point 8
+    uvec4 state;  // x: 1 if it is too small to be a beam: its middle stands for it;
+                  // y: bits of the ways it goes on from the interface it is at
+};
+
+struct BeamParams {
+    ivec4 size;  // voxels along x, y, z; w: fine voxels along an edge of one
+    vec4 limits; // x: shortest step [voxel], y: a share below is not followed, z: fixed-point unit
+                 // of all power of a cell of the coarsest level, w: how far a beam may be off [fine
+                 // voxel]
+    uvec4 list; // x: items, y: the first point, z: points there are, w: most interfaces met
+    uvec4 kind; // x: bits of the ways taken at interfaces, the first lowest, y: how many, z:
+                // whether points go on from those of the kind before, w: differs by seed and batch
+    ivec4 levels; // x: edge of a cell of the coarsest level [finest cell], y: cells of that level
+                  // along x, z: along y; w: the longest edge of what one beam covers [fine voxel]
+    vec4 window; // tangents, or offsets [voxel], at the map's low corner, and its extents
+    vec4 right;  // voxel space; for a point light right, up, forward span its view
+    vec4 up;
+    vec4 forward; // xyz: directional light's direction of travel, or the view's axis; w: 1 for a
+                  // point light
+    vec4 origin;  // xyz: the light in voxels; w: 1 if it is in the domain
+    vec4 map;     // x: area of a cell of the coarsest level, where the domain is [voxel²]
+    vec4 batch;   // xy: share of the map at the batch's low corner, zw: and of one finest cell
+};
+
+const uint kNewPoints = 16u; // that four cells need in place of one, beside its own
+
+// Counts of a list of nodes sorted.
+const int kBeamCount = 0;     // to be laid down
+const int kSplitCount = 1;    // to be split
+const int kNextCount = 2;     // that go on from an interface
+const int kWantedCount = 3;   // points that go on
+const int kNearFullCount = 4; // not 0 if a sum came near its end
+const int kDepositCount = 5;
+const int kMissedCount = 6; // parts that fell beside every surface voxel
+const int kBeamCounts = 8;
+
+// Books: power by what became of it, in kBookSlots parts of three channels.
+const int kBookEntered = 0;
+const int kBookLanded = 1;
+const int kBookLeft = 2;
+const int kBookDeep = 3;
+const int kBookTrapped = 4;
+const int kBookDim = 5;
+const int kBooks = 6;
+const int kBookSlots = 256;
+const float kBookUnit = 1048576.0; // of all power of a cell of the coarsest level

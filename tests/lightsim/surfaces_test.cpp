@@ -1,0 +1,264 @@
+// Light on opaque surfaces: by beams, by photons.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judge/caustic.h"
+#include "support/glass_volume.h"
+#include "support/lit.h"
+
+#include <map>
+
+namespace eikonal::lightsim {
+namespace {
+
+using glm::dvec3;
+using glm::ivec3;
+
+/// Solids with sharp boundaries, those of index 1 opaque.
+volume::Volume sceneOf(const judge::Glass& glass, const ivec3& size) {
+    sharp::Voxels voxels;
+    voxels.size = size;
+    voxels.halfWidth = 4;
+    volume::Volume volume = sharp::volumeOf(glass, voxels);
+    if (glass.solids.size() == 1) { // whose grids are the plain ones; around it nothing is opaque
+        const volume::DenseGrid opaque{
+            size, 1, std::vector<float>(static_cast<size_t>(size.x) * size.y * size.z, 1)};
+        volume.put("opacity", {ivec3(0), size - 1}, opaque, {});
+        return volume;
+    }
+    for (size_t i = 0; i < glass.solids.size(); ++i)
+        if (glass.solids[i].index == 1)
+            volume.putConstant("opacity.S" + std::to_string(i), glm::vec3(1));
+    return volume;
+}
+
+Params onSurfaces(const Light& light, int detail, std::int64_t photons = 1 << 16) {
+    Params params = paramsOf({light}, photons);
+    params.outputs = Output::irradiance;
+    params.surfaceDetail = detail;
+    return params;
+}
+
+/// Middles of fine voxels [voxel, from the domain's low corner] and their irradiance.
+template<typename Visit> void forEachLit(const volume::FineGrid& grid, const Visit& visit) {
+    for (size_t i = 0; i < grid.voxels.size(); ++i)
+        visit((dvec3(grid.voxels[i]) + 0.5) / static_cast<double>(grid.detail), grid.values[i]);
+}
+
+bool within(const dvec3& x, const ivec3& size, double margin) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (x[axis] < margin || x[axis] > size[axis] - margin) return false;
+    return true;
+}
+
+TEST(LightSurfaces, ATiltedPlaneGetsTheLightTimesTheCosine) {
+    const ivec3 size(24);
+    for (const dvec3& tilt : {dvec3(0, 1, 0), dvec3(0.3, 1, 0.1), dvec3(0.7, 0.8, 0.75)}) {
+        const dvec3 normal = glm::normalize(tilt), light = glm::normalize(dvec3(0.2, -1, 0.1));
+        const judge::Glass plane{{judge::glassHull({{normal, glm::dot(normal, dvec3(12.3))}}, 1)}};
+        const Lit lit(sceneOf(plane, size), onSurfaces(beam(light, dvec3(2, 1, 0.5)), 3));
+        const double cosine = -glm::dot(light, normal);
+        int found = 0;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (!within(x, size, 2)) return;
+            ++found;
+            EXPECT_NEAR(e.x, 2 * cosine, 0.005 * 2 * cosine) << x.x << " " << x.y << " " << x.z;
+            EXPECT_NEAR(e.y, cosine, 0.005 * cosine);
+            EXPECT_NEAR(e.z, 0.5 * cosine, 0.005 * 0.5 * cosine);
+        });
+        EXPECT_GE(found, 20 * 20 * 9); // the plane crosses the domain
+    }
+}
+
+TEST(LightSurfaces, ABallAndACubeGetTheCosineAndTheirFarSidesNothing) {
+    const dvec3 light = glm::normalize(dvec3(0.3, -1, 0.2));
+    const ivec3 size(40);
+    const dvec3 middle(20);
+    const judge::Glass ball{{judge::glassBall(middle, 15, 1)}};
+    const Lit lit(sceneOf(ball, size), onSurfaces(beam(light), 2, 1 << 19));
+    int bright = 0;
+    forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+        // Where the ball is met by the voxel's column, along the axis that is steepest to it.
+        dvec3 normal = (x - middle) / 15.0;
+        int steep = 0;
+        for (int axis = 1; axis < 3; ++axis)
+            if (std::abs(normal[axis]) > std::abs(normal[steep])) steep = axis;
+        // Where two axes are as steep, it is not told which column the voxel counts to.
+        for (int axis = 0; axis < 3; ++axis)
+            if (axis != steep && std::abs(std::abs(normal[axis]) - std::abs(normal[steep])) < 0.06)
+                return;
+        double rest = 1;
+        for (int axis = 0; axis < 3; ++axis)
+            rest -= axis == steep ? 0 : normal[axis] * normal[axis];
+        normal[steep] = std::copysign(std::sqrt(rest), normal[steep]);
+        const double cosine = -glm::dot(light, normal);
+        if (cosine < -0.05) {
+            EXPECT_EQ(e.x, 0);
+        }
+        if (cosine < 0.07) return; // within a voxel of where light grazes
+        ++bright;
+        EXPECT_NEAR(e.x, cosine, 0.005)
+            << cosine << " at " << normal.x << " " << normal.y << " " << normal.z;
+    });
+    EXPECT_GT(bright, 2 * 3.1 * 15 * 15 * 4);
+
+    const judge::Glass box{{judge::glassBox(dvec3(8.3), dvec3(31.6), 1)}};
+    const Lit cube(sceneOf(box, size), onSurfaces(beam(light), 2, 1 << 18));
+    int onTop = 0, below = 0;
+    forEachLit(cube.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+        // A face's voxels more than one from its edges.
+        const auto inside = [](double a) { return a > 10.3 && a < 29.6; };
+        if (!inside(x.x) || !inside(x.z)) return;
+        const bool top = x.y > 20;
+        EXPECT_NEAR(e.x, top ? -light.y : 0, 0.005);
+        (top ? onTop : below)++;
+    });
+    EXPECT_GE(onTop, 19 * 19 * 4);
+    EXPECT_GE(below, 19 * 19 * 4);
+}
+
+TEST(LightSurfaces, AThinWallLetsNoLightThrough) {
+    // Two voxels thick, slanting, lit from above.
+    const dvec3 normal = glm::normalize(dvec3(0.4, 1, 0.2));
+    const double at = glm::dot(normal, dvec3(12));
+    const judge::Glass wall{{judge::glassHull({{normal, at + 1}, {-normal, 1 - at}}, 1)}};
+    for (const Method method : {Method::beams, Method::photons}) {
+        Params params = onSurfaces(beam({0, -1, 0}), 2);
+        params.method = method;
+        const Lit lit(sceneOf(wall, ivec3(24)), params);
+        int above = 0, below = 0;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (!within(x, ivec3(24), 2)) return;
+            const double off = glm::dot(normal, x) - at;
+            if (off < -0.5) {
+                ++below;
+                EXPECT_EQ(e.x, 0);
+            }
+            if (off > 0.5) above += e.x > 0.5 * normal.y;
+        });
+        EXPECT_GT(above, 1000);
+        EXPECT_GT(below, 1000);
+    }
+}
+
+/// A ball of 16 voxels over a floor, as the judge has it in units of 32 voxels.
+struct BallOverFloor {
+    static constexpr int kDetail = 2, kTexels = 64;
+    judge::BallOverPlane exact{};
+    ivec3 size{80, 46, 80};
+    dvec3 centre{40, 26, 40};
+
+    BallOverFloor() {
+        exact.texels = kTexels;
+        exact.extent = 1;
+    }
+    volume::Volume volume() const {
+        return sceneOf({{judge::glassBall(centre, 16, exact.index),
+                         judge::glassBox(dvec3(-20), {120, 2, 120}, 1)}},
+                       size);
+    }
+    /// The floor's irradiance by the judge's texels.
+    std::vector<double> texelsOf(const volume::FineGrid& grid) const {
+        std::vector<double> found(static_cast<size_t>(kTexels) * kTexels);
+        const int layers = 2; // of fine voxels that the floor touches, above it and below
+        forEachLit(grid, [&](const dvec3& x, const glm::vec3& e) {
+            if (x.y < 1.5 || x.y > 2.5) return;
+            const ivec3 at(glm::floor(x - dvec3(8, 0, 8))); // a texel is a voxel wide
+            if (at.x < 0 || at.z < 0 || at.x >= kTexels || at.z >= kTexels) return;
+            const double share = 1.0 / (kDetail * kDetail * layers);
+            found[static_cast<size_t>(at.z) * kTexels + static_cast<size_t>(at.x)] += e.x * share;
+        });
+        return found;
+    }
+};
+
+/// Root mean square of the differences, relative to the truth and a tenth of its mean.
+double relativeError(const std::vector<double>& found, const std::vector<double>& exact) {
+    double mean = 0, sum = 0;
+    for (double value : exact) mean += value / static_cast<double>(exact.size());
+    for (size_t i = 0; i < exact.size(); ++i)
+        sum += (found[i] - exact[i]) * (found[i] - exact[i]) /
+               (exact[i] * exact[i] + 0.01 * mean * mean);
+    return std::sqrt(sum / static_cast<double>(exact.size()));
+}
+
+double meanOf(const std::vector<double>& values) {
+    double sum = 0;
+    for (double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+TEST(LightSurfaces, BeamsDrawTheCausticOfABallOnAFloor) {
+    const BallOverFloor scene;
+    const std::vector<double> exact = judge::irradianceUnder(scene.exact, 5000);
+    const Lit lit(scene.volume(), onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 17));
+    const std::vector<double> found = scene.texelsOf(lit.result.irradiance);
+    EXPECT_LT(relativeError(found, exact), 0.02);
+    EXPECT_NEAR(meanOf(found), meanOf(exact), 1e-3 * meanOf(exact));
+
+    Params params = onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 20);
+    params.method = Method::photons;
+    const std::vector<double> photons =
+        scene.texelsOf(Lit(scene.volume(), params).result.irradiance);
+    EXPECT_LT(relativeError(photons, exact), 0.1);
+    EXPECT_NEAR(meanOf(photons), meanOf(exact), 2e-3 * meanOf(exact));
+}
+
+TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {
+    const BallOverFloor scene;
+    const Params params = onSurfaces(beam(scene.exact.direction), 1, 1 << 14);
+    const Lit a(scene.volume(), params), b(scene.volume(), params);
+    EXPECT_EQ(a.result.irradiance.voxels, b.result.irradiance.voxels);
+    EXPECT_EQ(a.result.irradiance.values, b.result.irradiance.values);
+}
+
+TEST(LightSurfaces, APointLightFallsOffWithTheSquare) {
+    const judge::Glass floor{{judge::glassBox(dvec3(-9), {40, 3, 40}, 1)}};
+    const dvec3 place(12, 20, 12);
+    for (const dvec3& at : {place, dvec3(12, 60, 12)}) { // in the domain, above it
+        const Lit lit(sceneOf(floor, ivec3(24)), onSurfaces(lamp(at, dvec3(100)), 2, 1 << 18));
+        int found = 0;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (!within(x, ivec3(24), 1.5)) return;
+            ++found;
+            const dvec3 way = dvec3(x.x, 3, x.z) - at;
+            const double distance = glm::length(way);
+            const double expected = 100 * -way.y / (distance * distance * distance);
+            EXPECT_NEAR(e.x, expected, 0.005 * expected);
+        });
+        EXPECT_GT(found, 20 * 20 * 4);
+    }
+}
+
+TEST(LightSurfaces, WhatAbsorbsDimsTheLightThatComesToASurface) {
+    TestVolume scene(ivec3(20));
+    scene.constant("ior", 1).constantVector("absorption", dvec3(0.05, 0.1, 0));
+    scene.add("opacity", [](dvec3 p) { return p.y < 4 ? 1 : 0; });
+    const Lit lit(scene.volume(), onSurfaces(beam({0, -1, 0}), 2));
+    int found = 0;
+    forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+        if (!within(x, ivec3(20), 1.5)) return;
+        ++found;
+        EXPECT_NEAR(e.x, std::exp(-0.05 * 16), 0.005);
+        EXPECT_NEAR(e.y, std::exp(-0.1 * 16), 0.005);
+        EXPECT_NEAR(e.z, 1, 0.005);
+    });
+    EXPECT_GT(found, 16 * 16 * 4);
+}
+
+TEST(LightSurfaces, FluenceIsSimulatedWhereSomethingScattersAlone) {
+    TestVolume scene(ivec3(8));
+    scene.constant("ior", 1).add("opacity", [](dvec3 p) { return p.y < 3 ? 1 : 0; });
+    Params params = onSurfaces(beam({0, -1, 0}), 0);
+    params.automaticOutputs = true;
+    const Plan plan = makePlan(scene.volume(), params);
+    EXPECT_EQ(plan.outputs, Output::irradiance);
+    EXPECT_TRUE(plan.beams);
+    EXPECT_FALSE(plan.photons);
+    scene.constantVector("scattering", dvec3(0.1));
+    const Plan hazy = makePlan(scene.volume(), params);
+    EXPECT_EQ(hazy.outputs, Output::fluence | Output::irradiance);
+    EXPECT_TRUE(hazy.beams);
+    EXPECT_TRUE(hazy.photons);
+}
+
+} // namespace
+} // namespace eikonal::lightsim
