@@ -35,6 +35,11 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
                                           : anisotropy.why});
     add(named("emission"));
     add(named("opaque"));
+    const bool shines = plan.opaque && !scene.light.surfaces.empty();
+    add({"irradiance", shines,
+         shines        ? "grid 'irradiance'"
+         : plan.opaque ? "no grid 'irradiance'"
+                       : "nothing is opaque"});
     add({"colour", plan.colour,
          plan.colour ? "coefficients or light differ by wavelength" : "medium and light are grey"});
     const bool glows = params.background != glm::dvec3(0);
@@ -48,9 +53,9 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     for (const std::string& idle : scene::idleWarnings(files, all)) plan.warnings.push_back(idle);
     if (scattering.on && !plan.lit())
         plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
-    if (plan.opaque && !plan.lit())
+    if (plan.opaque && scene.light.surfaces.empty())
         plan.warnings.push_back("what is opaque in " + scene.path +
-                                " is black, since no light is stored in it: run lightsim first");
+                                " is black, since no light is stored on it: run lightsim first");
 }
 
 } // namespace

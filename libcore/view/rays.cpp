@@ -47,6 +47,8 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("EMISSION", plan.emits && (sharp || plan.anisotropic));
     list.emplace_back("MAP", plan.map);
     list.emplace_back("AOVS", wantsPaths(plan, params));
+    const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
+    list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
     list.emplace_back("WAITING", sharp ? static_cast<int>(std::bit_ceil(depth)) : 1);
     return list;
 }
@@ -83,13 +85,6 @@ Texture makeDirection(gpu::Device& device, const Plan& plan) {
             out[2] = d.z;
             out[3] = plan.scene.medium().anisotropy.at(i, 0);
         });
-}
-
-/// Light without a stored direction falls on surfaces from all sides.
-Texture makeNoDirection(gpu::Device& device) {
-    Texture none(device, glm::ivec3(1), TexelFormat::rgba32f, gpu::Filter::linear);
-    none.clear();
-    return none;
 }
 
 /// Extinction and source of blurred media.
@@ -138,12 +133,11 @@ void makeBlurred(gpu::Device& device, const Plan& plan, Media& media) {
 
 Media::Media(gpu::Device& device, const Plan& plan) {
     if (!plan.scene.sharp) makeBlurred(device, plan, *this);
-    const bool reads = plan.scene.sharp || plan.opaque || plan.anisotropic;
+    const bool reads = plan.scene.sharp || plan.anisotropic;
     if (plan.lit() && reads) fluence = rgbTexture(device, plan, plan.scene.light.fluence, 1);
-    if ((plan.anisotropic || plan.opaque) && !plan.scene.light.direction.isZero())
-        direction = makeDirection(device, plan);
-    else if (plan.opaque)
-        direction = makeNoDirection(device);
+    if (plan.anisotropic) direction = makeDirection(device, plan);
+    if (!plan.scene.light.surfaces.empty())
+        surfaces = scene::SurfaceLightTable(device, plan.scene.light.surfaces);
 }
 
 void Media::bind() const {
@@ -152,6 +146,7 @@ void Media::bind() const {
         {&emission, kEmissionUnit},     {&opacity, kOpacityUnit}, {&fluence, kFluenceUnit}};
     for (const auto& [texture, unit] : textures)
         if (texture->name() != 0) texture->bindSampler(unit);
+    surfaces.bind();
 }
 
 std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
@@ -165,8 +160,11 @@ std::vector<gpu::Need> mediaNeeds(const Plan& plan) {
     if (blurred && plan.colour && (plan.scatters || plan.emits)) texture("the scattered light", 16);
     if (blurred && plan.anisotropic && plan.emits) texture("the emission", 16);
     if (blurred && plan.opaque) texture("the opaque surfaces", 16);
-    if (plan.lit() && (!blurred || plan.opaque || plan.anisotropic)) texture("the light", 16);
-    if ((plan.anisotropic || plan.opaque) && plan.lit()) texture("the light's direction", 16);
+    if (plan.lit() && (!blurred || plan.anisotropic)) texture("the light", 16);
+    if (plan.anisotropic) texture("the light's direction", 16);
+    const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
+    if (!surfaces.empty())
+        for (const gpu::Need& need : scene::surfaceLightNeeds(surfaces)) needs.push_back(need);
     return needs;
 }
 
@@ -192,7 +190,7 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mValues.limits =
         ivec4(params.maxSteps > 0 ? params.maxSteps : crossings, params.maxDepth, 0, 0);
     const float outside = scene.index.background;
-    mValues.medium = vec4(outside, params.cutoff, plan.lit(), 1 / (outside * outside));
+    mValues.medium = vec4(outside, params.cutoff, 0, 1 / (outside * outside));
     const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();
     const glm::dmat3 turn(glm::dmat3(voxelFromWorld) * h);
     const CameraAxes axes = axesOf(camera);

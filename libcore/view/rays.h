@@ -12,6 +12,7 @@ namespace eikonal::view {
 /// Coefficients and light as textures, in the form the plan's effects call for.
 struct Media {
     gpu::Texture extinction, source, direction, emission, opacity, fluence;
+    scene::SurfaceLightTable surfaces;
 
     Media() = default;
     Media(gpu::Device& device, const Plan& plan);
