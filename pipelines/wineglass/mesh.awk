@@ -17,8 +17,8 @@ function corner(r, i) { r = first[r] + (size[r] > 1 ? i % around : 0); return r 
 BEGIN {
     pi = atan2(0, -1)
     rings = points = 0
-    if (!around) around = 256
-    if (!along) along = 1
+    if (!around) around = 512
+    if (!along) along = 0.5
 }
 # Each piece's points but its last, which is the next one's first.
 $1 == "line" {
