@@ -3,7 +3,8 @@
 
 struct ViewParams {
     ivec4 picture; // width, height, first row of this strip, rows in it
-    ivec4 limits;  // x: most steps of a branch, y: most interfaces that it meets
+    ivec4 limits;  // x: most steps of a branch, y: most interfaces that it meets, z: rays that go on from
+                   // the last launch, 0: all begin, w: which half of the rests they are in
     vec4 eyeHigh;  // the eye in voxel space, in two floats a coordinate, since it may stand
     vec4 eyeLow;   // far off; eyeHigh.w: 1 for a perspective, 0 for parallel rays
     vec4 forward;  // a pixel's ray: forward + sx right + sy up, or the same added to the eye
