@@ -98,11 +98,6 @@ void onInterface(inout Path path, inout Load load, Interface at) {
     }
 }
 
-// Photons have launches of their own for many steps.
-bool pauses(Path path) {
-    return false;
-}
-
 bool onEnd(inout Path path, inout Load load) {
     return false;
 }

@@ -20,8 +20,6 @@ void onSurface(inout Path path, inout Load load, Interface at);
 void onInterface(inout Path path, inout Load load, Interface at);
 // The path has come to an end, or used up its steps. Returns whether `path` now is another one.
 bool onEnd(inout Path path, inout Load load);
-// Whether the path is to rest where it is: trace() then returns, and may be called again with it.
-bool pauses(Path path);
 
 // A path's lengths are told from both ends of a way, and by how much the way was longer than straight.
 struct Measure {
@@ -326,5 +324,5 @@ bool advance(inout Path path, inout Load load) {
 void trace(inout Path path, inout Load load) {
     bool going = true;
     if (kObjects == 0) advance(path, load);
-    else while (going) going = advance(path, load) && !pauses(path);
+    else while (going) going = advance(path, load);
 }

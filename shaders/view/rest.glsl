@@ -1,22 +1,20 @@
-// Rays that one launch does not bring to their end: kept as they are for the next.
+// Branches that one launch does not come to: kept for the next.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Software devices end every loop once the eight lanes of a vector have made 65,535 rounds, of all loops
 // together, and say nothing of it. Rays that are led along within a wall part so often that they come to
-// this. So a ray rests after as many looks as eight lanes that each go their own way can make by then.
+// this. So after as many looks as eight lanes that each go their own way can make by then, a ray rests
+// when a branch has ended, and those that wait go on in another launch.
 //
-// Included where `params`, a ViewParams, and the structs Path, Load and Branch are declared.
+// Included where `params`, a ViewParams, the struct Branch and its `waiting` are declared.
 
 // Looks of a launch. A look takes some two rounds, of several objects more.
 const int kMostLooksAtOnce = 1024 / min(kObjectSlots, 4);
 
 struct Rest {
-    Path path;
-    Load load;
-    vec3 direction; // of the pixel's ray at the eye, of length 1
-    float n;        // the index there
-    int at;         // the pixel's place in the strip
-    int waitingCount;
+    float n; // the index at the eye
+    int at;  // the pixel's place in the strip
+    int count;
     Branch waiting[WAITING];
 };
 
@@ -26,20 +24,32 @@ layout(std430, binding = kRestsBuffer) buffer Rests {
     Rest rests[];
 };
 
-int restAt = -1;       // where this ray's place is, if it has one
-bool asked = false;    // for a place; there may be none left
-int launchedWith = 0;  // looks made before this launch
+int restAt = -1;    // where this ray's place is, if it rests
+bool asked = false; // for a place; there may be none left
 
-int halfOf(int parity) {
-    return parity == 0 ? 0 : rests.length() / 2;
+int firstOfHalf(int which) {
+    return which * (rests.length() / 2);
 }
 
-// Whether a ray is to rest here.
-bool pauses(Path path) {
-    if (kObjects > 0 && !asked && path.steps - launchedWith > kMostLooksAtOnce) {
+// Whether a ray that has looked so often is to rest now.
+bool isToRest(int looks) {
+    if (!asked && looks > kMostLooksAtOnce) {
         asked = true;
-        uint place = atomicAdd(resting, 1u);
-        if (int(place) < rests.length() / 2) restAt = halfOf(1 - params.limits.w) + int(place);
+        int place = int(atomicAdd(resting, 1u));
+        if (place < rests.length() / 2) restAt = firstOfHalf(1 - params.limits.w) + place;
     }
     return restAt >= 0;
+}
+
+// Downward, since compilers write a loop out that begins at 0 and ends with an array.
+void rest(float n, int at) {
+    rests[restAt].n = n;
+    rests[restAt].at = at;
+    rests[restAt].count = waitingCount;
+    for (int i = waitingCount - 1; i >= 0; --i) rests[restAt].waiting[i] = waiting[i];
+}
+
+void fetchWaiting(int from) {
+    waitingCount = rests[from].count;
+    for (int i = waitingCount - 1; i >= 0; --i) waiting[i] = rests[from].waiting[i];
 }

@@ -55,6 +55,14 @@ struct Load {
     vec3 inside;    // a point within them, when stopped
 };
 
+#include "view/gather.glsl"
+
+const bool kGathers = kDims || kGlows || kEmission;
+const bool kSamples = kGathers || kOpaqueVoxels;
+const bool kMeasures = kAovs;
+const bool kEqualSteps = true;
+#include "transport/trace.glsl"
+
 // Branches that wait: a ray's own, in the order they parted.
 struct Branch {
     Ray ray;
@@ -66,14 +74,7 @@ struct Branch {
 Branch waiting[WAITING];
 int waitingCount = 0;
 
-#include "view/gather.glsl"
 #include "view/rest.glsl"
-
-const bool kGathers = kDims || kGlows || kEmission;
-const bool kSamples = kGathers || kOpaqueVoxels;
-const bool kMeasures = kAovs;
-const bool kEqualSteps = true;
-#include "transport/trace.glsl"
 
 float stepLimit(Ray ray, float n) {
     return kIntegrator == kEuler ? transport.steps.w / n : transport.steps.x;
@@ -187,7 +188,7 @@ bool onEnd(inout Path path, inout Load load) {
     load.trapped = traps || load.trapped;
     if (load.first) load.firstPath = path;
     load.first = false;
-    bool more = kObjects > 0 && waitingCount > 0;
+    bool more = kObjects > 0 && waitingCount > 0 && !isToRest(path.steps);
     if (more) {
         follow(path, waiting[--waitingCount]);
         path.status = kAlive;
@@ -196,31 +197,10 @@ bool onEnd(inout Path path, inout Load load) {
     return more;
 }
 
-// What has been found of a pixel.
-void finish(int at, Path path, Load load, vec3 towards, float n, bool hits) {
-    Path first = load.firstPath;
-    vec3 direction = normalize(first.ray.w);
-    vec3 turned = direction - towards;
-    bool stopped = first.status == kStopped;
-    // Where no gradient acted the direction is the same but for rounding.
-    bool changed = load.interfaces > 0 || stopped || dot(turned, turned) > 1.0e-12 ||
-                   first.throughput != vec3(1.0) || load.light != vec3(0.0);
-    putColour(at, vec4((load.light + load.sky) * (n * n), changed ? 1.0 : 0.0));
-    if (kAovs && params.pattern.z == 1.0) {
-        PixelPath found;
-        found.place = vec4(first.ray.x, first.lengths.x);
-        found.direction = vec4(direction, first.lengths.y);
-        found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps));
-        float atExit = hits ? indexOf(regionOf(first.objects), first.ray.x) : 1.0;
-        found.error = vec4(abs(length(first.ray.w) - atExit), hits ? 0.0 : 1.0, 0.0, 0.0);
-        paths[at] = found;
-    }
-    if (!hits) return;
-    count(kRays, 1u);
+void countPath(Path path, Load load) {
     count(kSteps, uint(path.steps));
     // A ray that found no place to rest may have been cut off.
-    bool cut = kObjects > 0 && (path.status == kAlive || waitingCount > 0);
-    if (load.trapped || cut) count(kTrappedRays, 1u);
+    if (load.trapped || (kObjects > 0 && waitingCount > 0 && restAt < 0)) count(kTrappedRays, 1u);
     if (kObjects > 0) {
         count(kInterfaces, uint(load.interfaces));
         countShare(kDroppedByDepth, load.deep);
@@ -232,59 +212,64 @@ void finish(int at, Path path, Load load, vec3 towards, float n, bool hits) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     bool resumes = kObjects > 0 && params.limits.z > 0;
-    ivec2 size = resumes ? ivec2(min(params.limits.z, rests.length() / 2), 1) : params.picture.xw;
+    ivec2 size = params.picture.xw;
+    if (resumes) size = ivec2(min(params.limits.z, rests.length() / 2), 1);
     if (any(greaterThanEqual(pixel, size))) return;
-    Path path;
-    Load load;
-    vec3 towards;
-    float n; // at the eye
-    int at;
-    bool hits = true;
-    if (resumes) {
-        int from = halfOf(params.limits.w) + pixel.x;
-        path = rests[from].path;
-        load = rests[from].load;
-        towards = rests[from].direction;
-        n = rests[from].n;
+    int at = pixel.y * params.picture.x + pixel.x;
+    pixel.y += params.picture.z;
+
+    CameraRay camera = cameraRayOf(pixel);
+    Path path = pathFrom(camera.start, camera.direction, params.limits.x);
+    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, camera.start,
+                     camera.start);
+    float n = params.medium.x; // at the eye
+    if (resumes) { // branches of a ray at rest
+        int from = firstOfHalf(params.limits.w) + at;
         at = rests[from].at;
-        waitingCount = rests[from].waitingCount;
-        for (int i = 0; i < waitingCount; ++i) waiting[i] = rests[from].waiting[i];
-    } else {
-        at = pixel.y * params.picture.x + pixel.x;
-        pixel.y += params.picture.z;
-        CameraRay camera = cameraRayOf(pixel);
-        towards = camera.direction;
-        hits = camera.hits;
-        path = pathFrom(camera.start, towards, params.limits.x);
-        load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, true, vec3(1.0), path, camera.start,
-                    camera.start);
-        n = params.medium.x;
-        if (hits) {
-            path.objects = objectsAt(camera.start, camera.direction, camera.within);
-            int region = regionOf(path.objects);
-            float entry = indexOf(region, camera.start);
-            if (camera.within) n = entry;
-            path.ray.w *= entry;
-            if (isOpaque(region)) { // cut open by the domain's face
-                path.status = kStopped;
-                load.light = reflectedLight(camera.start, faceNormal(camera.start),
-                                            scene.regions[region].albedo.xyz) / (n * n);
-            }
-        } else {
-            load.sky = backgroundLight(camera.direction) * params.medium.w;
+        n = rests[from].n;
+        fetchWaiting(from);
+        follow(path, waiting[--waitingCount]);
+        camera.hits = true;
+    } else if (camera.hits) {
+        path.objects = objectsAt(camera.start, camera.direction, camera.within);
+        int region = regionOf(path.objects);
+        float entry = indexOf(region, camera.start);
+        if (camera.within) n = entry;
+        path.ray.w *= entry;
+        if (isOpaque(region)) { // cut open by the domain's face
+            path.status = kStopped;
+            load.light = reflectedLight(camera.start, faceNormal(camera.start),
+                                        scene.regions[region].albedo.xyz) / (n * n);
         }
-    }
-    launchedWith = path.steps;
-    if (hits) trace(path, load);
-    if (restAt >= 0) {
-        rests[restAt].path = path;
-        rests[restAt].load = load;
-        rests[restAt].direction = towards;
-        rests[restAt].n = n;
-        rests[restAt].at = at;
-        rests[restAt].waitingCount = waitingCount;
-        for (int i = 0; i < waitingCount; ++i) rests[restAt].waiting[i] = waiting[i];
+        count(kRays, 1u);
     } else {
-        finish(at, path, load, towards, n, hits);
+        load.sky = backgroundLight(camera.direction) * params.medium.w;
+    }
+    if (camera.hits) {
+        trace(path, load);
+        countPath(path, load);
+        if (restAt >= 0) rest(n, at);
+    }
+    vec3 light = (load.light + load.sky) * (n * n);
+    if (resumes) {
+        colours[at] += params.weight * vec4(light, 0.0);
+        return;
+    }
+    Path first = load.firstPath;
+    vec3 direction = normalize(first.ray.w);
+    vec3 turned = direction - camera.direction;
+    bool stopped = first.status == kStopped;
+    // Where no gradient acted the direction is the same but for rounding.
+    bool changed = load.interfaces > 0 || stopped || dot(turned, turned) > 1.0e-12 ||
+                   first.throughput != vec3(1.0) || load.light != vec3(0.0);
+    putColour(at, vec4(light, changed ? 1.0 : 0.0));
+    if (kAovs && params.pattern.z == 1.0) {
+        PixelPath found;
+        found.place = vec4(first.ray.x, first.lengths.x);
+        found.direction = vec4(direction, first.lengths.y);
+        found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps));
+        float atExit = camera.hits ? indexOf(regionOf(first.objects), first.ray.x) : 1.0;
+        found.error = vec4(abs(length(first.ray.w) - atExit), camera.hits ? 0.0 : 1.0, 0.0, 0.0);
+        paths[at] = found;
     }
 }
