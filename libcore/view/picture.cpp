@@ -63,6 +63,20 @@ constexpr Aov kAovTable[] = {
     {"error", "V", [](const PixelPath& path, const Places&) { return dvec3(path.error.x); }},
 };
 
+/// For the rays that rest: some thousands, where few of a strip do.
+constexpr std::int64_t kMostRestBytes = std::int64_t{32} << 20;
+
+/// A pixel's ray at rest has every branch that waits: more than `struct Rest` of
+/// shaders/view/rest.glsl takes, of which the kernel fits in as many as it can.
+std::int64_t restBytes(const Plan& plan, const Params& params) {
+    if (!plan.scene.sharp) return 0;
+    const std::int64_t one =
+        1024 +
+        96 * std::int64_t{std::bit_ceil(static_cast<unsigned>(std::max(params.maxDepth, 1)))};
+    const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
+    return std::min(2 * strip * one, kMostRestBytes);
+}
+
 std::vector<std::string> channelsOf(const std::string& name, const std::string& components) {
     if (components.empty()) return {name};
     std::vector<std::string> channels;
@@ -96,6 +110,7 @@ std::vector<gpu::Need> pictureNeeds(const Plan& plan, const Params& params) {
     if (wantsPaths(plan, params))
         needs.push_back(
             {"the rays' paths", strip * static_cast<std::int64_t>(sizeof(PixelPath)), true, 0});
+    if (plan.scene.sharp) needs.push_back({"rays that rest", restBytes(plan, params), true, 0});
     return needs;
 }
 
@@ -107,6 +122,7 @@ Picture::Picture(gpu::Device& device, const Plan& plan, const Params& params)
     mColours = gpu::Buffer(device, strip * 16);
     mPaths = gpu::Buffer(device, paths ? strip * path : path);
     mCounters.clear();
+    if (plan.scene.sharp) mRests = gpu::Buffer(device, restBytes(plan, params));
     const size_t pixels = static_cast<size_t>(params.camera.width) * params.camera.rows;
     mPixels.resize(pixels);
     if (paths) mPixelPaths.resize(pixels);
@@ -116,6 +132,18 @@ void Picture::bind() const {
     mColours.bindStorage(kColoursBuffer);
     mPaths.bindStorage(kPixelPathsBuffer);
     mCounters.bindStorage(kCountersBuffer);
+    if (mRests.bytes() > 0) mRests.bindStorage(kRestsBuffer);
+}
+
+void Picture::clearRests() {
+    const uint none = 0;
+    if (mRests.bytes() > 0) mRests.upload(&none, sizeof none);
+}
+
+int Picture::resting() const {
+    uint asked = 0;
+    if (mRests.bytes() > 0) mRests.download(&asked, sizeof asked);
+    return static_cast<int>(asked);
 }
 
 void Picture::readStrip(int row, int rows) {

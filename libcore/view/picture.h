@@ -23,6 +23,10 @@ public:
     Picture(gpu::Device& device, const Plan& plan, const Params& params);
 
     void bind() const;
+    /// Before a launch: none of its rays rests yet.
+    void clearRests();
+    /// How many of the last launch's rays go on in another one.
+    int resting() const;
     /// Fetches a strip from the device.
     void readStrip(int row, int rows);
     /// Adds what was counted to the statistics.
@@ -31,7 +35,7 @@ public:
     image::Image assemble(const Plan& plan, const Params& params) const;
 
 private:
-    gpu::Buffer mColours, mPaths, mCounters;
+    gpu::Buffer mColours, mPaths, mCounters, mRests;
     std::vector<vec4> mPixels;
     std::vector<PixelPath> mPixelPaths;
     int mWidth;

@@ -219,8 +219,20 @@ void Rays::trace(int row, int rows, const glm::dvec2& place, bool first, const v
     mValues.picture.w = rows;
     mValues.pattern = vec4(place, first ? 1 : 0, 0);
     mValues.weight = weight;
+    mValues.limits.z = 0;
+    mValues.limits.w = 0;
+    launch(mWidth, rows);
+}
+
+void Rays::goOn(int resting, int half) {
+    mValues.limits.z = resting;
+    mValues.limits.w = half;
+    launch(resting, 1);
+}
+
+void Rays::launch(int width, int rows) {
     mBlock.upload(&mValues, sizeof mValues);
-    mProgram.dispatch({mWidth, rows, 1});
+    mProgram.dispatch({width, rows, 1});
     gpu::barrier();
 }
 

@@ -32,10 +32,14 @@ public:
     /// pixel it goes, `weight` its share of the pixel's colour and, w, coverage. The first of a
     /// pixel's rays replaces what is there.
     void trace(int row, int rows, const glm::dvec2& place, bool first, const vec4& weight);
+    /// Goes on with so many rays that the last launch left at rest, in one half of their buffer.
+    void goOn(int resting, int half);
     /// Binds all it reads but the picture's own buffers.
     void bind() const;
 
 private:
+    void launch(int width, int rows);
+
     gpu::Program mProgram;
     scene::Transport mTransport;
     Media mMedia;

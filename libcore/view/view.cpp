@@ -40,10 +40,21 @@ private:
     int mMost, mRows;
 };
 
+/// Goes on with the rays that a launch left at rest, until none is left.
+void goOn(Rays& rays, Picture& picture) {
+    int half = 1;
+    for (int resting = picture.resting(); resting > 0; resting = picture.resting()) {
+        picture.clearRests();
+        rays.goOn(resting, half);
+        gpu::finish();
+        half = 1 - half;
+    }
+}
+
 /// All rays of a strip of the picture: every sample of every band.
 /// `progress` is the strip's part. Returns how long the longest launch took [ms].
-double traceStrip(Rays& rays, const std::vector<optics::Band>& bands, int samples, int row,
-                  int rows, const Progress& progress) {
+double traceStrip(Rays& rays, Picture& picture, const std::vector<optics::Band>& bands, int samples,
+                  int row, int rows, const Progress& progress) {
     double longest = 0;
     const auto all = static_cast<int>(bands.size()) * samples;
     for (int launch = 0; launch < all; ++launch) {
@@ -55,9 +66,11 @@ double traceStrip(Rays& rays, const std::vector<optics::Band>& bands, int sample
                                  glm::dvec2(0.7548776662466927, 0.5698402909980532));
         const double share = 1.0 / samples;
         const auto began = std::chrono::steady_clock::now();
+        picture.clearRests();
         rays.trace(row, rows, place, launch == 0,
                    vec4(band.weight * share, share / static_cast<double>(bands.size())));
         gpu::finish();
+        goOn(rays, picture);
         longest = std::max(longest, gpu::millisecondsSince(began));
         report(progress, (launch + 1.0) / all);
     }
@@ -83,7 +96,7 @@ image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
     for (int row = 0, rows = 0; row < all; row += rows) {
         rows = std::min(strips.rows(), all - row);
         profiler.begin("view");
-        const double longest = traceStrip(rays, bands, params.samples, row, rows,
+        const double longest = traceStrip(rays, picture, bands, params.samples, row, rows,
                                           partOf(progress, static_cast<double>(row) / all,
                                                  static_cast<double>(row + rows) / all));
         profiler.end();

@@ -40,6 +40,7 @@ const int kEnvironmentUnit = 7; // radiance
 const int kColoursBuffer = 0;    // premultiplied RGBA per pixel
 const int kPixelPathsBuffer = 1; // PixelPath per pixel
 const int kCountersBuffer = 2;   // see view_params.h
+const int kRestsBuffer = 3;      // sharp: branches that go on in another launch
 
 // lightsim: textures.
 const int kPhotonMapUnit = 0;  // where the light first meets the domain or the proxy [voxel]

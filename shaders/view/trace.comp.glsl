@@ -74,6 +74,8 @@ struct Branch {
 Branch waiting[WAITING];
 int waitingCount = 0;
 
+#include "view/rest.glsl"
+
 float stepLimit(Ray ray, float n) {
     return kIntegrator == kEuler ? transport.steps.w / n : transport.steps.x;
 }
@@ -180,7 +182,7 @@ bool onEnd(inout Path path, inout Load load) {
     load.trapped = traps || load.trapped;
     if (load.first) load.firstPath = path;
     load.first = false;
-    bool more = kObjects > 0 && waitingCount > 0;
+    bool more = kObjects > 0 && waitingCount > 0 && !isToRest(path.steps);
     if (more) {
         follow(path, waiting[--waitingCount]);
         path.status = kAlive;
@@ -189,18 +191,40 @@ bool onEnd(inout Path path, inout Load load) {
     return more;
 }
 
+void countPath(Path path, Load load) {
+    count(kSteps, uint(path.steps));
+    // A ray that found no place to rest may have been cut off.
+    if (load.trapped || (kObjects > 0 && waitingCount > 0 && restAt < 0)) count(kTrappedRays, 1u);
+    if (kObjects > 0) {
+        count(kInterfaces, uint(load.interfaces));
+        countShare(kDroppedByDepth, load.deep);
+        countShare(kDroppedAsDim, load.dim);
+    }
+    if (kIntegrator == kAdaptive) noteError(errorOf(path.error, path.steps));
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (pixel.x >= params.picture.x || pixel.y >= params.picture.w) return;
+    bool resumes = kObjects > 0 && params.limits.z > 0;
+    ivec2 size = params.picture.xw;
+    if (resumes) size = ivec2(min(params.limits.z, rests.length() / 2), 1);
+    if (any(greaterThanEqual(pixel, size))) return;
     int at = pixel.y * params.picture.x + pixel.x;
     pixel.y += params.picture.z;
 
     CameraRay camera = cameraRayOf(pixel);
     Path path = pathFrom(camera.start, camera.direction, params.limits.x);
-    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, true, vec3(1.0), path, camera.start,
+    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, camera.start,
                      camera.start);
     float n = params.medium.x; // at the eye
-    if (camera.hits) {
+    if (resumes) { // branches of a ray at rest
+        int from = firstOfHalf(params.limits.w) + at;
+        at = rests[from].at;
+        n = rests[from].n;
+        fetchWaiting(from);
+        follow(path, waiting[--waitingCount]);
+        camera.hits = true;
+    } else if (camera.hits) {
         path.objects = objectsAt(camera.start, camera.direction, camera.within);
         int region = regionOf(path.objects);
         float entry = indexOf(region, camera.start);
@@ -211,18 +235,19 @@ void main() {
             load.light = reflectedLight(camera.start, faceNormal(camera.start),
                                         scene.regions[region].albedo.xyz) / (n * n);
         }
-        trace(path, load);
         count(kRays, 1u);
-        count(kSteps, uint(path.steps));
-        if (load.trapped) count(kTrappedRays, 1u);
-        if (kObjects > 0) {
-            count(kInterfaces, uint(load.interfaces));
-            countShare(kDroppedByDepth, load.deep);
-            countShare(kDroppedAsDim, load.dim);
-        }
-        if (kIntegrator == kAdaptive) noteError(errorOf(path.error, path.steps));
     } else {
         load.sky = backgroundLight(camera.direction) * params.medium.w;
+    }
+    if (camera.hits) {
+        trace(path, load);
+        countPath(path, load);
+        if (restAt >= 0) rest(n, at);
+    }
+    vec3 light = (load.light + load.sky) * (n * n);
+    if (resumes) {
+        colours[at] += params.weight * vec4(light, 0.0);
+        return;
     }
     Path first = load.firstPath;
     vec3 direction = normalize(first.ray.w);
@@ -231,7 +256,7 @@ void main() {
     // Where no gradient acted the direction is the same but for rounding.
     bool changed = load.interfaces > 0 || stopped || dot(turned, turned) > 1.0e-12 ||
                    first.throughput != vec3(1.0) || load.light != vec3(0.0);
-    putColour(at, vec4((load.light + load.sky) * (n * n), changed ? 1.0 : 0.0));
+    putColour(at, vec4(light, changed ? 1.0 : 0.0));
     if (kAovs && params.pattern.z == 1.0) {
         PixelPath found;
         found.place = vec4(first.ray.x, first.lengths.x);

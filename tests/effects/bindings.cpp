@@ -33,7 +33,8 @@ std::vector<Owned> viewBindings() {
 }
 
 std::vector<Owned> sharpViewBindings() {
-    return {{"", of({kParamsBlock, kTransportBlock, kSceneBlock}, {kColoursBuffer, kCountersBuffer},
+    return {{"", of({kParamsBlock, kTransportBlock, kSceneBlock},
+                    {kColoursBuffer, kCountersBuffer, kRestsBuffer},
                     {kDistancesUnit, kClearanceUnit, kBlocksUnit})},
             {"index that varies", of({kFieldBlock}, {}, {kFieldUnit})},
             {"scattering", of({}, {}, {kFluenceUnit})},
