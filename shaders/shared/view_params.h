@@ -2,15 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 struct ViewParams {
-<<<<<<< HEAD
-    ivec4 picture;      // width, height, first row of this strip, rows in it
-    ivec4 limits;       // x: most steps of a branch, y: most interfaces that it meets
-    vec4 eyeHigh;       // the eye in voxel space, in two floats a coordinate, since it may stand
-    vec4 eyeLow;        // far off; eyeHigh.w: 1 for a perspective, 0 for parallel rays
-    vec4 forward;       // a pixel's ray: forward + sx right + sy up, or the same added to the eye
-    vec4 right;         // [voxel], scaled by the half width of the view
-    vec4 up;            // scaled by the half height
-=======
     ivec4 picture; // width, height, first row of this strip, rows in it
     ivec4 limits;  // x: most steps of a branch, y: most interfaces that it meets, z: rays that go on from
                    // the last launch, 0: all begin, w: which half of the rests they are in
@@ -19,13 +10,12 @@ struct ViewParams {
     vec4 forward;  // a pixel's ray: forward + sx right + sy up, or the same added to the eye
     vec4 right;    // [voxel], scaled by the half width of the view
     vec4 up;       // scaled by the half height
->>>>>>> wineglass
     vec4 background;    // rgb radiance; w: the map's pixels, 2 by centres, 3 by edges
     vec4 mapFromVoxel0; // rows of the rotation from voxel space to the environment map's frame
     vec4 mapFromVoxel1;
     vec4 mapFromVoxel2;
-    vec4 medium; // x: index outside, y: throughput below which a reflection is not followed, w: 1 /
-                 // x²
+    vec4 medium;  // x: index outside, y: throughput below which a reflection is not followed,
+                  // w: 1 / x²
     vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays
     vec4 weight;  // rgb: the ray's share of its pixel's colour; w: of its coverage
 };
