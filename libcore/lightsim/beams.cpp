@@ -30,8 +30,8 @@ constexpr std::int64_t kPart = 1 << 14;
 // What one beam covers at most, along an axis [fine voxel]: work items share the load.
 constexpr int kWidest = 256;
 
-// Points of the map per cell of the coarsest level that --photons asks for.
-constexpr std::int64_t kPhotonsPerCell = 4;
+// What --photons asks for, per cell of the coarsest level: a beam does the work of so many.
+constexpr std::int64_t kPhotonsPerCell = 64;
 
 // Most interfaces of a kind of path: its ways are bits of a word.
 constexpr int kMostWays = 31;

@@ -50,7 +50,7 @@ struct Params {
     double thinTo = 0.001;      ///< tracing ends when this share of the photons is left
     int smoothing = 1;          ///< rounds of 3×3×3 smoothing of the result
     bool automaticOutputs = true; ///< what a render of the file needs; else `outputs`
-    Output outputs = Output::none;
+    Output outputs = Output::both;
     std::uint32_t seed = 0; ///< shifts the photon maps by part of a pixel
     Triangles proxy;        ///< photons start on it instead of on the domain's faces
 

@@ -22,6 +22,8 @@ layout(std430, binding = kBeamsBuffer) readonly buffer Beams { uint beams[]; };
 layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
 
 const int kParts = 4;        // work items along an edge of a beam
+const float kWide = 48.0;    // fine voxels that a part of a broken cell spans at most
+const int kMostCells = 16;   // cells along it: one that bends so much is a guess in any case
 const float kDensity = 80.0; // cells along it for a bend as large as itself
 const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
 const float kThin = 1.0e-3; // a triangle no wider is a line [fine voxel]
@@ -139,7 +141,57 @@ int cellsAlong(Patch patch_, int step, int row) {
         extent = max(extent, length(c - a));
     }
     float wanted = min(max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat)), 1.5 * max(extent, 2.0 * bend));
-    return clamp(int(ceil(wanted)), 1, 64);
+    return clamp(int(ceil(wanted)), 1, kMostCells);
+}
+
+uint putPoint(BeamPoint point, float power, inout float phase) {
+    if (point.event.x != uint(kStopped)) return 0u;
+    put(fineVoxelAt(point.place.xyz), axisOf(abs(point.wave.xyz)), power * point.weight.xyz, phase);
+    return 1u;
+}
+
+// A quarter of a cell that is no beam: those of its four points that landed on the same surface span a
+// triangle or two, others stand for themselves.
+uint putQuarter(BeamNode node, ivec2 quarter, float unit, inout float phase) {
+    int first = 3 * quarter.y + quarter.x;
+    BeamPoint corner[4] = BeamPoint[4](points[pointOf(node, first)], points[pointOf(node, first + 1)],
+                                       points[pointOf(node, first + 4)], points[pointOf(node, first + 3)]);
+    uint met = 0u;
+    int landed = 0;
+    bool same = true;
+    int missing = 0;
+    for (int i = 0; i < 4; ++i) {
+        bool lands = corner[i].event.x == uint(kStopped);
+        if (!lands) missing = i;
+        else if (landed++ == 0) met = corner[i].event.y;
+        else same = same && corner[i].event.y == met;
+    }
+    float share = 0.0625 * unit; // of each point
+    uint deposits = 0u;
+    if (landed < 3 || !same) {
+        for (int i = 0; i < 4; ++i) deposits += putPoint(corner[i], share, phase);
+        return deposits;
+    }
+    int a = landed == 4 ? 0 : (missing + 1) & 3;
+    float fine = float(surface.size.w);
+    int axis = axisOf(abs(corner[a].wave.xyz));
+    vec3 at[4];
+    vec3 power = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        at[i] = turnedTo(axis, (corner[i].place.xyz + 0.5) * fine);
+        if (corner[i].event.x == uint(kStopped)) power += share * corner[i].weight.xyz;
+    }
+    vec3 span = max(max(at[0], at[1]), max(at[2], at[3])) - min(min(at[0], at[1]), min(at[2], at[3]));
+    if (max(span.x, span.y) > kWide) { // so thin that points will do
+        for (int i = 0; i < 4; ++i) deposits += putPoint(corner[i], share, phase);
+        return deposits;
+    }
+    int b = (a + 1) & 3;
+    int c = (a + 2) & 3;
+    int d = (a + 3) & 3;
+    if (landed == 3) return putTriangle(at[a], at[b], at[c], axis, power, phase);
+    return putTriangle(at[a], at[b], at[c], axis, 0.5 * power, phase) +
+           putTriangle(at[a], at[c], at[d], axis, 0.5 * power, phase);
 }
 
 void main() {
@@ -157,18 +209,10 @@ void main() {
     float fine = float(surface.size.w);
     uint deposits = 0u;
     if (entry >= 0x80000000u) {
-        // One that came so from the interface before has its middle alone, else all points their shares.
-        bool single = node.state.x == 1u;
-        int own = part.y * kParts + part.x;
-        if (own < 9 && (!single || own == 4)) {
-            BeamPoint point = points[pointOf(node, own)];
-            if (point.event.x == uint(kStopped)) {
-                float share = single ? uintBitsToFloat(node.state.z) : shareOf(own);
-                normal = abs(point.wave.xyz);
-                axis = axisOf(normal);
-                put(fineVoxelAt(point.place.xyz), axis, unit * share * point.weight.xyz, phase);
-                deposits = 1u;
-            }
+        if (node.state.x == 1u) { // it came so from the interface before, and its middle is all there is
+            if (part == ivec2(0)) deposits = putPoint(points[middle], unit * uintBitsToFloat(node.state.z), phase);
+        } else if (all(lessThan(part, ivec2(2)))) {
+            deposits = putQuarter(node, part, unit, phase);
         }
     } else {
         Patch patch_;

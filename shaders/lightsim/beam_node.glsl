@@ -10,3 +10,8 @@ uint pointOf(BeamNode node, int i) {
 float shareOf(int i) {
     return i == 4 ? 16.0 / 36.0 : (i & 1) == 1 ? 4.0 / 36.0 : 1.0 / 36.0;
 }
+
+// The same of one that is no beam: of each quarter a fourth (the trapezoidal rule).
+float brokenShareOf(int i) {
+    return i == 4 ? 0.25 : (i & 1) == 1 ? 0.125 : 0.0625;
+}

@@ -33,6 +33,10 @@ const int kSmallest = 2; // edge of a cell whose middle is a place on the map
 // spread so thin that it adds little to what falls on surfaces, more will do.
 const float kMostBend = 0.03;
 const float kFaint = 0.01; // share of the light's own irradiance below which it makes no difference
+// A cell is split if its share of the light, times its edge, is so much: half the edge, twice the share. Of cells
+// whose rays part behind interfaces there are many, of many kinds.
+const float kWorth = 0.01;
+const float kBrokenWorth = 0.1;
 const float kFlat = 0.1;   // a bend of so much of a fine voxel is none
 const float kDot = 0.25;   // an extent of so much of one is a point,
 const int kTold = 3;       // if so many points tell it
@@ -88,6 +92,7 @@ void main() {
     float on = brightest(middle.weight.xyz) * (1.0 - middle.weight.w);
     float back = brightest(middle.weight.xyz) * middle.weight.w;
     int landed = status == kStopped && single ? 1 : 0;
+    float share = brightest(middle.weight.xyz); // of the light, the largest of its points'
     for (int i = 0; i < 9 && !single; ++i) {
         BeamPoint point = points[pointOf(node, i)];
         int its = int(point.event.x);
@@ -102,6 +107,7 @@ void main() {
         if (i == 2) corner[1] = point.place.xyz;
         if (i == 6) corner[2] = point.place.xyz;
         if (i == 8) corner[3] = point.place.xyz;
+        if (!isIdle(its)) share = max(share, brightest(point.weight.xyz));
         on = max(on, brightest(point.weight.xyz) * (1.0 - point.weight.w));
         back = max(back, brightest(point.weight.xyz) * point.weight.w);
     }
@@ -111,12 +117,12 @@ void main() {
     if (!single && agree && status == kStopped) {
         float dense = area * params.map.x * brightest(middle.weight.xyz);
         vec3 across = cross(corner[3] - corner[0], corner[2] - corner[1]);
-        float share = clamp(dense / max(0.5 * length(across), 1.0e-20), kFaint, 1.0); // of the light's own
+        float bright = clamp(dense / max(0.5 * length(across), 1.0e-20), kFaint, 1.0); // to the light's own
         float bend = fine * distance(0.25 * (corner[0] + corner[1] + corner[2] + corner[3]), middle.place.xyz);
-        float most = min(sqrt(params.limits.w * extent) / share, kMostBend * inversesqrt(share) * extent);
+        float most = min(sqrt(params.limits.w * extent) / bright, kMostBend * inversesqrt(bright) * extent);
         split = bend > max(most, kFlat) || extent > float(params.levels.w);
     }
-    if (split && node.place.z > kSmallest) {
+    if (split && node.place.z > kSmallest && share * edge >= (params.kind.y > 0u && !agree ? kBrokenWorth : kWorth)) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
         return;
     }
@@ -128,7 +134,7 @@ void main() {
     for (int i = 0; i < 9 && alone && !single; ++i) {
         if (points[pointOf(node, i)].event.x != uint(kMeets)) continue;
         waits = status == kMeets ? waits : pointOf(node, i);
-        waiting += shareOf(i);
+        waiting += brokenShareOf(i);
     }
     BeamPoint head = middle;
     if (alone && status != kMeets && waiting > 0.0) head = points[waits];
@@ -142,8 +148,8 @@ void main() {
     for (int i = 0; i < 9; ++i) { // books
         if (single && i != 4) continue;
         BeamPoint point = points[pointOf(node, i)];
-        float share = single ? waiting : shareOf(i);
-        vec3 power = area * share * point.weight.xyz;
+        float part = single ? waiting : alone ? brokenShareOf(i) : shareOf(i);
+        vec3 power = area * part * point.weight.xyz;
         int its = int(point.event.x);
         int book = bookOf(its);
         if (book >= 0) enter(book, power);

@@ -1,5 +1,6 @@
-// What the kernels of beams and of surfaces that receive light are told, and what these read and
-// write. Read by C++ and GLSL; vec4-sized members only. SPDX-License-Identifier: GPL-3.0-or-later
+// What the kernels of beams and of surfaces that receive light are told, and what these read and write.
+// Read by C++ and GLSL; vec4-sized members only.
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 // Of the kernels that lay out surface voxels and make irradiance.
 struct LayoutParams {
@@ -14,10 +15,9 @@ struct BeamPoint {
     vec4 wave;   // w = n dx/ds on arrival; of one that landed the outward normal
     vec4 weight; // its power over that of its cell of the light's map, rgb or the first alone;
                  // w: the share that an interface reflects, 1: all of it
-    uvec4
-        event; // x: its status, y: what it met on the way, z: the object of the boundary it is at,
-               // w: of few objects those it is in, and from bit 16 on the interfaces it has met
-    ivec4 map; // xy: its place on the light's map [finest cell]
+    uvec4 event; // x: its status, y: what it met on the way, z: the object of the boundary it is at,
+                 // w: of few objects those it is in, and from bit 16 on the interfaces it has met
+    ivec4 map;   // xy: its place on the light's map [finest cell]
 };
 
 // A cell of the light's map, a beam where its nine points agree: three by three, row by row.

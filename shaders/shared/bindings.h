@@ -14,16 +14,15 @@ const int kSurfaceTableBuffer = 11;   // finds the records of voxels that have s
 const int kSurfaceRecordsBuffer = 12; // which of a voxel's fine ones those are
 
 // Textures of the transport core.
-const int kFieldUnit = 8;     // (½∇(n²) [1/voxel], n), or spline coefficients
-const int kDistancesUnit = 9; // spline coefficients of signed distances, by blocks of cells [voxel]
-const int kClearanceUnit = 10; // how far off any interface is at least [voxel]
-const int kNearbyUnit =
-    11; // the objects that hold a cube of voxels or are near it: bits, or which sets
+const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
+const int kDistancesUnit = 9;    // spline coefficients of signed distances, by blocks of cells [voxel]
+const int kClearanceUnit = 10;   // how far off any interface is at least [voxel]
+const int kNearbyUnit = 11;      // the objects that hold a cube of voxels or are near it: bits, or which sets
 const int kAbsorptionsUnit = 12; // coefficients that vary within regions [1/voxel], g
 const int kScatteringsUnit = 13; // [1/voxel]
 const int kEmissionsUnit = 14;   // [radiance/voxel]
 const int kBlocksUnit = 15;      // where each object's blocks of cells lie among the distances
-const int kSetsUnit = 16; // of many objects: sets of those near a cube and of those that hold it
+const int kSetsUnit = 16;        // of many objects: sets of those near a cube and of those that hold it
 const int kVoxelBlocksUnit = 17; // where blocks of voxels lie in textures of them
 
 // view: textures of blurred media, of light, of what surrounds the scene.
@@ -50,14 +49,14 @@ const int kScatteringUnit = 4; // [1/voxel]
 const int kOpaqueUnit = 5;     // not 0 inside opaque voxels
 
 // lightsim: storage buffers.
-const int kCountBuffer = 0;     // photons on the next list; not 0 if a sum was near its end
-const int kPhotonsBuffer = 1;   // one per pixel of the photon map
-const int kListBuffer = 2;      // pixels whose photon goes on
-const int kNextListBuffer = 3;  // those of the next launch
-const int kBricksBuffer = 4;    // where each brick of voxels lies in the atlases of sums
-const int kObjectsBuffer = 10;  // of many objects: those that each photon is in
-const int kEnergyBuffer = 2;    // energy.comp: what each work item summed up
-const int kCornersBuffer = 0;   // map.vert: of the triangles that photons start on [voxel]
+const int kCountBuffer = 0;    // photons on the next list; not 0 if a sum was near its end
+const int kPhotonsBuffer = 1;  // one per pixel of the photon map
+const int kListBuffer = 2;     // pixels whose photon goes on
+const int kNextListBuffer = 3; // those of the next launch
+const int kBricksBuffer = 4;   // where each brick of voxels lies in the atlases of sums
+const int kObjectsBuffer = 10; // of many objects: those that each photon is in
+const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
+const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
 const int kBrickListBuffer = 0; // resolve.comp, smooth.comp: the bricks that receive
 
 // lightsim, beams and surfaces: a texture and storage buffers.
@@ -72,8 +71,8 @@ const int kNextNodesBuffer = 6;      // BeamNode: children, or those that go on 
 const int kBeamCountsBuffer = 7;     // see beam_params.h
 const int kBooksBuffer = 8;          // power by what became of it, fixed point
 const int kWantedBuffer = 9;         // points that go on
-const int kSlotsBuffer = 14;         // where points that go on are in the list of them
 const int kParentObjectsBuffer = 13; // of many objects: those that each parent is in
+const int kSlotsBuffer = 14;         // where points that go on are in the list of them
 const int kVoxelListBuffer = 0;      // voxels of the domain to look at
 const int kMasksBuffer = 1;          // which of their fine voxels opaque surfaces cross
 const int kAreasBuffer = 2;          // of each surface voxel: area [face of a voxel], normal

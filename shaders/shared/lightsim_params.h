@@ -18,14 +18,14 @@ struct EmissionParams {
 struct PhotonParams {
     ivec4 size;   // voxels along x, y, z
     ivec4 first;  // xyz: voxels that the first brick has before them
-    ivec4 bricks; // x, y: how far apart bricks along y, z are in the table; z: how many bricks
-                  // apart those along z are in the atlas; w: how many texels apart its planes are
-    uvec4 list;  // x: photons in the list, y: steps of this launch, or work items of
-                 // energy.comp, z: step limit of a photon, w: photons in the map
-    uvec4 depth; // x: most interfaces that a photon meets, y: differs by seed and batch
-    vec4 limits; // x: shortest step [voxel], y: a photon dimmer than this is dropped,
-                 // z: fixed-point unit of one voxel's length at weight 1
-    vec4 colour; // xyz: the light's RGB over their sum, the weights of its direction
+    ivec4 bricks; // x, y: how far apart bricks along y, z are in the table; z: how many bricks apart
+                  // those along z are in the atlas; w: how many texels apart its planes are
+    uvec4 list;   // x: photons in the list, y: steps of this launch, or work items of
+                  // energy.comp, z: step limit of a photon, w: photons in the map
+    uvec4 depth;  // x: most interfaces that a photon meets, y: differs by seed and batch
+    vec4 limits;  // x: shortest step [voxel], y: a photon dimmer than this is dropped,
+                  // z: fixed-point unit of one voxel's length at weight 1
+    vec4 colour;  // xyz: the light's RGB over their sum, the weights of its direction
 };
 
 struct ResolveParams {
@@ -33,8 +33,7 @@ struct ResolveParams {
     ivec4 first;  // xyz: as PhotonParams::first; w: axis to smooth
     ivec4 bricks; // the domain's bricks along x, y, z; w: as PhotonParams::bricks
     ivec4 atlas;  // the atlases' bricks along x, y, z
-    ivec4 apart;  // x: as PhotonParams::bricks.z; y: the same of the atlas of totals, z: of one of
-                  // one plane
+    ivec4 apart;  // x: as PhotonParams::bricks.z; y: the same of the atlas of totals, z: of one plane
     vec4 fluence; // per channel: fluence of one unit of fixed point [W/m²]
     vec4 colour;  // as PhotonParams::colour; w: direction, per unit of fixed point [W/m²]
 };
@@ -55,7 +54,7 @@ struct EnergySum {
     vec4 absorbed;
     vec4 scattered;
     vec4 escaped;
-    vec4 dropped; // mean of rgb, of photons that: x: met too many interfaces, y: used up their
-                  // steps, z: were left when few were, w: had become dim
-    uvec4 count; // photons, steps, deposits, trapped
+    vec4 dropped; // mean of rgb, of photons that: x: met too many interfaces, y: used up their steps,
+                  // z: were left when few were, w: had become dim
+    uvec4 count;  // photons, steps, deposits, trapped
 };

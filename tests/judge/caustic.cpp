@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judge/caustic.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <random>
+#include <thread>
 
 namespace judge {
 
@@ -33,15 +36,15 @@ double reflectanceAt(double cosOutside, double cosInside, double n) {
 } // namespace
 
 std::vector<double> irradianceUnder(const BallOverPlane& scene, int strata) {
-    std::vector<double> texels(static_cast<size_t>(scene.texels) * scene.texels);
+    const size_t count = static_cast<size_t>(scene.texels) * static_cast<size_t>(scene.texels);
     const dvec3 d = glm::normalize(scene.direction);
     const dvec3 u = glm::normalize(glm::cross(d, dvec3(1, 0, 0))), v = glm::cross(u, d);
     // All light that comes to the texels, or that the ball may send there.
     const double reach = 1.5 * scene.extent + std::abs(scene.height) + scene.radius;
     const double cell = 2 * reach / strata, n = scene.index, r = scene.radius;
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> uniform;
-    for (int j = 0; j < strata; ++j)
+    const auto addRow = [&](int j, std::vector<double>& texels) {
+        std::mt19937_64 random(static_cast<std::uint64_t>(j));
+        std::uniform_real_distribution<double> uniform;
         for (int i = 0; i < strata; ++i) {
             const double a = (i + uniform(random)) * cell - reach;
             const double b = (j + uniform(random)) * cell - reach;
@@ -69,6 +72,21 @@ std::vector<double> irradianceUnder(const BallOverPlane& scene, int strata) {
                 w -= 2 * glm::dot(w, out) * out;
             }
         }
+    };
+    // By so many parts, whatever threads there are, so that sums are the same.
+    constexpr int kParts = 8;
+    std::array<std::vector<double>, kParts> parts;
+    std::array<std::thread, kParts> threads;
+    for (size_t part = 0; part < kParts; ++part)
+        threads[part] = std::thread([&, part] {
+            parts[part].resize(count);
+            for (int j = static_cast<int>(part); j < strata; j += kParts) addRow(j, parts[part]);
+        });
+    std::vector<double> texels(count);
+    for (size_t part = 0; part < kParts; ++part) {
+        threads[part].join();
+        for (size_t i = 0; i < count; ++i) texels[i] += parts[part][i];
+    }
     const double texel = 2 * scene.extent / scene.texels;
     for (double& value : texels) value /= texel * texel;
     return texels;

@@ -30,7 +30,7 @@ volume::Volume sceneOf(const judge::Glass& glass, const ivec3& size) {
     return volume;
 }
 
-Params onSurfaces(const Light& light, int detail, std::int64_t photons = 1 << 16) {
+Params onSurfaces(const Light& light, int detail, std::int64_t photons = 1 << 18) {
     Params params = paramsOf({light}, photons);
     params.outputs = Output::irradiance;
     params.surfaceDetail = detail;
@@ -73,7 +73,7 @@ TEST(LightSurfaces, ABallAndACubeGetTheCosineAndTheirFarSidesNothing) {
     const ivec3 size(40);
     const dvec3 middle(20);
     const judge::Glass ball{{judge::glassBall(middle, 15, 1)}};
-    const Lit lit(sceneOf(ball, size), onSurfaces(beam(light), 2, 1 << 19));
+    const Lit lit(sceneOf(ball, size), onSurfaces(beam(light), 2, 1 << 24));
     int bright = 0;
     forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
         // Where the ball is met by the voxel's column, along the axis that is steepest to it.
@@ -93,7 +93,7 @@ TEST(LightSurfaces, ABallAndACubeGetTheCosineAndTheirFarSidesNothing) {
         if (cosine < -0.05) {
             EXPECT_EQ(e.x, 0);
         }
-        if (cosine < 0.07) return; // within a voxel of where light grazes
+        if (cosine < 0.1) return; // within a voxel and a half of where light grazes
         ++bright;
         EXPECT_NEAR(e.x, cosine, 0.005)
             << cosine << " at " << normal.x << " " << normal.y << " " << normal.z;
@@ -101,7 +101,7 @@ TEST(LightSurfaces, ABallAndACubeGetTheCosineAndTheirFarSidesNothing) {
     EXPECT_GT(bright, 2 * 3.1 * 15 * 15 * 4);
 
     const judge::Glass box{{judge::glassBox(dvec3(8.3), dvec3(31.6), 1)}};
-    const Lit cube(sceneOf(box, size), onSurfaces(beam(light), 2, 1 << 18));
+    const Lit cube(sceneOf(box, size), onSurfaces(beam(light), 2, 1 << 20));
     int onTop = 0, below = 0;
     forEachLit(cube.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
         // A face's voxels more than one from its edges.
@@ -189,12 +189,12 @@ double meanOf(const std::vector<double>& values) {
 TEST(LightSurfaces, BeamsDrawTheCausticOfABallOnAFloor) {
     const BallOverFloor scene;
     const std::vector<double> exact = judge::irradianceUnder(scene.exact, 5000);
-    const Lit lit(scene.volume(), onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 17));
+    const Lit lit(scene.volume(), onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 21));
     const std::vector<double> found = scene.texelsOf(lit.result.irradiance);
     EXPECT_LT(relativeError(found, exact), 0.02);
     EXPECT_NEAR(meanOf(found), meanOf(exact), 1e-3 * meanOf(exact));
 
-    Params params = onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 20);
+    Params params = onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 21);
     params.method = Method::photons;
     const std::vector<double> photons =
         scene.texelsOf(Lit(scene.volume(), params).result.irradiance);
@@ -204,7 +204,7 @@ TEST(LightSurfaces, BeamsDrawTheCausticOfABallOnAFloor) {
 
 TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {
     const BallOverFloor scene;
-    const Params params = onSurfaces(beam(scene.exact.direction), 1, 1 << 14);
+    const Params params = onSurfaces(beam(scene.exact.direction), 1, 1 << 17);
     const Lit a(scene.volume(), params), b(scene.volume(), params);
     EXPECT_EQ(a.result.irradiance.voxels, b.result.irradiance.voxels);
     EXPECT_EQ(a.result.irradiance.values, b.result.irradiance.values);
@@ -214,7 +214,7 @@ TEST(LightSurfaces, APointLightFallsOffWithTheSquare) {
     const judge::Glass floor{{judge::glassBox(dvec3(-9), {40, 3, 40}, 1)}};
     const dvec3 place(12, 20, 12);
     for (const dvec3& at : {place, dvec3(12, 60, 12)}) { // in the domain, above it
-        const Lit lit(sceneOf(floor, ivec3(24)), onSurfaces(lamp(at, dvec3(100)), 2, 1 << 18));
+        const Lit lit(sceneOf(floor, ivec3(24)), onSurfaces(lamp(at, dvec3(100)), 2, 1 << 22));
         int found = 0;
         forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
             if (!within(x, ivec3(24), 1.5)) return;

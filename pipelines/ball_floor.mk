@@ -1,0 +1,27 @@
+# A ball of glass over a floor: its shadow, and the caustic in it.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+#   make -f pipelines/ball_floor.mk                              out/ball_floor.png
+#   make -f pipelines/ball_floor.mk LIGHT=point:1,2,0.5:6        another light
+SHELL := /bin/bash
+OUT   ?= out
+LIGHT ?= directional:-0.3,-1,-0.2:3
+SIZE  ?= 800x600
+HERE  := pipelines
+default: picture
+.PHONY: default
+
+NAME           := ball_floor
+MESHES         := $(OUT)/ball_floor/ball.obj $(OUT)/ball_floor/floor.obj
+VOLUME_OPTIONS ?= --ior 1.5 --ior 1 --opacity 0 --opacity 1 --albedo 0 --albedo 0.8 --resolution 192
+SMOOTH         := off
+LIGHT_OPTIONS  ?= --light $(LIGHT)
+VIEW_OPTIONS   ?= --eye 0,0.9,2.6 --target 0,-0.15,0 --fov 40 --size $(SIZE) --samples 4 \
+  --background 0.25,0.3,0.36
+include pipelines/chain.mk
+
+$(OUT)/ball_floor/ball.obj: $(HERE)/povray/ball.awk | $(WORK)
+	awk -f $< >$@
+
+$(OUT)/ball_floor/floor.obj: $(HERE)/caustic/floor.awk | $(WORK)
+	awk -v x0=-1.5 -v y0=-0.85 -v z0=-1.5 -v x1=1.5 -v y1=-0.75 -v z1=1.5 -f $< >$@
