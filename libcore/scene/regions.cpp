@@ -91,6 +91,22 @@ private:
     bool mOwn;
 };
 
+/// Of an object's voxels, or of all where there is none.
+float meanWithin(const volume::BrickGrid& grid, const Object* object) {
+    const glm::ivec3 low = object ? object->inside.min : glm::ivec3(0);
+    const glm::ivec3 high = object ? object->inside.max : grid.size - 1;
+    double sum = 0;
+    std::int64_t voxels = 0;
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                if (object && object->distance.at({x, y, z}) >= 0) continue;
+                sum += static_cast<double>(grid.at({x, y, z}));
+                ++voxels;
+            }
+    return voxels > 0 ? static_cast<float>(sum / static_cast<double>(voxels)) : 0;
+}
+
 Region readAll(const std::string& name, const Object* object, const Reader& read) {
     Region region;
     region.name = name;
@@ -102,13 +118,7 @@ Region readAll(const std::string& name, const Object* object, const Reader& read
     region.reflectance = read("reflectance");
     Values opacity = read("opacity");
     if (opacity.varies()) { // made elsewhere, with an edge of its own: most of the inside decides
-        double sum = 0;
-        std::int64_t voxels = 0;
-        forEachSampled(opacity.grid, object, [&](const vec3& value, std::int64_t count) {
-            sum += static_cast<double>(count) * static_cast<double>(value.x);
-            voxels += count;
-        });
-        opacity.value = vec3(static_cast<float>(sum / static_cast<double>(voxels)));
+        opacity.value = vec3(meanWithin(opacity.grid, object));
     }
     region.opaque = opacity.value.x > 0.5f;
     if (region.opaque) region.albedo = read("albedo");

@@ -49,7 +49,7 @@ vec3 irradianceAt(vec3 x, vec3 normal) {
         if (found.w == 0.0) found = storedIrradiance(fine + nearer * along);
         if (found.w == 0.0) found = storedIrradiance(fine - nearer * along);
         vec2 weight = mix(1.0 - share, share, corner);
-        sum += max(weight.x * weight.y, 1.0e-4) * found;
+        sum += max(weight.x * weight.y, 1.0e-6) * found;
     }
     return sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0);
 }

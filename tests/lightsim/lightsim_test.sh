@@ -181,7 +181,8 @@ test_explains() {
     prints '^voxels: 16 x 16 x 16'
     prints '^scattering: on'
     prints '^refraction: on'
-    prints '^light_direction: off (scattering is isotropic)'
+    prints '^light_direction: off (no grid .anisotropy., or 0 everywhere)'
+    prints '^irradiance: off (no grid .opacity., or 0 everywhere)'
     expect 0 lightsim in.vdb $sun --explain -o out.vdb
     nothing_left
     expect 0 lightsim glass.vdb $sun --explain

@@ -171,7 +171,7 @@ TEST(LightRun, AutoSimulatesWhatARenderNeeds) {
     EXPECT_EQ(planOf(glass).outputs, Output::both);
     TestVolume solid(ivec3(8));
     solid.add("opacity", [](dvec3 p) { return p.x > 4 ? 1 : 0; });
-    EXPECT_EQ(planOf(solid).outputs, Output::both);
+    EXPECT_EQ(planOf(solid).outputs, Output::irradiance);
     TestVolume nothing(ivec3(8));
     nothing.constantVector("scattering", dvec3(0));
     EXPECT_EQ(planOf(nothing).outputs, Output::none);

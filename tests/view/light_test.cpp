@@ -151,35 +151,76 @@ TEST(ViewLight, RadianceOverIndexSquaredIsConserved) {
     EXPECT_NEAR(inside.at("R"), 1.2 + 4 * 2.25, 1e-5); // floats
 }
 
+namespace {
+
+/// Light on the plane z = 6 [voxel] in a box of 16³, in the fine voxels on either side of it.
+volume::FineGrid lightOnPlane(int detail, const std::function<dvec3(double x, double y)>& value) {
+    volume::FineGrid light;
+    light.detail = detail;
+    for (int z = 6 * detail - 1; z <= 6 * detail; ++z)
+        for (int y = 0; y < 16 * detail; ++y)
+            for (int x = 0; x < 16 * detail; ++x) {
+                light.voxels.emplace_back(x, y, z);
+                light.values.emplace_back(value((x + 0.5) / detail, (y + 0.5) / detail));
+            }
+    return light;
+}
+
+/// What is opaque below that plane, lit so.
+volume::Volume slab(const dvec3& albedo, bool everywhere, const volume::FineGrid& light) {
+    TestVolume scene(ivec3(16));
+    scene.add("opacity", [](dvec3 p) { return p.z < 6 ? 1 : 0; });
+    // The contract keeps the albedo of empty voxels at 0; the surface must not be dimmed.
+    scene.addVector("albedo", [&](dvec3 p) { return everywhere || p.z < 6 ? albedo : dvec3(0); });
+    volume::Volume volume = scene.take();
+    if (!light.empty()) volume.putFine("irradiance", volume.domain(), light);
+    return volume;
+}
+
+} // namespace
+
 TEST(ViewLight, AnOpaqueSlabIsALambertianReflector) {
-    const dvec3 albedo(0.2, 0.5, 0.8);
-    struct Case {
-        dvec3 direction;
-        double irradiance; // per fluence
-    };
-    const Case cases[] = {{{0, 0, -1}, 1},
-                          {{0, std::sqrt(0.5), -std::sqrt(0.5)}, std::sqrt(0.5)},
-                          {{0, 0, 0}, 0.25},
-                          {{0, 0, -0.5}, 0.5 + 0.125},
-                          {{0, 0, 1}, 0}};
+    const dvec3 albedo(0.2, 0.5, 0.8), irradiance(1, 2, 3);
     for (const bool everywhere : {true, false})
-        for (const auto& [direction, irradiance] : cases) {
-            TestVolume scene(ivec3(16));
-            scene.add("opacity", [](dvec3 p) { return p.z < 6 ? 1 : 0; });
-            // The contract keeps the albedo of empty voxels at 0; the surface must not be dimmed.
-            scene.addVector("albedo",
-                            [&](dvec3 p) { return everywhere || p.z < 6 ? albedo : dvec3(0); });
-            scene.constantVector("fluence", {1, 2, 3});
-            scene.constantVector("light_direction", direction);
+        for (const int detail : {1, 3}) {
+            const auto light = lightOnPlane(detail, [&](double, double) { return irradiance; });
             Params params = parallel({8, 8, 40}, {8, 8, 8}, 8, {2, 2});
             params.background = dvec3(9);
-            const Look look(scene.take(), params);
-            const dvec3 wanted = albedo / kPi * dvec3(1, 2, 3) * irradiance;
-            expectNear(look.colour(1, 1), wanted, 1e-5);   // floats
+            const Look look(slab(albedo, everywhere, light), params);
+            expectNear(look.colour(1, 1), albedo / kPi * irradiance, 1e-5); // floats
             EXPECT_NEAR(look.at("Z", 1, 1), 40 - 6, 2e-3); // twelve halvings of a step
             EXPECT_EQ(look.at("A", 0, 1), 1);
             EXPECT_EQ(look.at("transmittance.G"), 0);
         }
+}
+
+TEST(ViewLight, LightOnASurfaceIsInterpolatedBetweenFineVoxels) {
+    const auto ramp = [](double x, double y) { return dvec3(1 + x, 1 + 2 * y, 1); };
+    const Params params = parallel({8, 8, 40}, {8, 8, 8}, 8, {16, 16});
+    const Look look(slab(dvec3(0.5), true, lightOnPlane(2, ramp)), params);
+    for (int j = 0; j < 16; ++j)
+        for (int i = 0; i < 16; ++i) {
+            const double x = 4 + (i + 0.5) / 2, y = 12 - (j + 0.5) / 2;
+            expectNear(look.colour(i, j), 0.5 / kPi * ramp(x, y), 1e-5);
+        }
+}
+
+TEST(ViewLight, SeveralFilesAddTheirLightOnSurfacesWhateverItsDetail) {
+    const auto even = [](double value) {
+        return [=](double, double) { return dvec3(value); };
+    };
+    std::vector<volume::Volume> files;
+    files.push_back(slab(dvec3(0.5), true, lightOnPlane(2, even(1))));
+    files.push_back(slab(dvec3(0.5), true, lightOnPlane(3, even(2))));
+    const Look look(std::move(files), parallel({8, 8, 40}, {8, 8, 8}, 8, {2, 2}));
+    EXPECT_NEAR(look.at("R"), 0.5 / kPi * 3, 1e-5);
+}
+
+TEST(ViewLight, WhatIsOpaqueIsBlackWithoutLightAndIsToldOf) {
+    const Look look(slab(dvec3(0.5), true, {}), parallel({8, 8, 40}, {8, 8, 8}, 8, {2, 2}));
+    EXPECT_EQ(look.at("R"), 0);
+    ASSERT_EQ(look.plan.warnings.size(), 1u);
+    EXPECT_NE(look.plan.warnings[0].find("run lightsim first"), std::string::npos);
 }
 
 TEST(ViewLight, SeveralFilesAddTheirLight) {
