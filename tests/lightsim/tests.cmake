@@ -1,7 +1,9 @@
 eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test.cpp
-             lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/surfaces_test.cpp lightsim/run_test.cpp lightsim/sharp_test.cpp
+             lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/run_test.cpp
+             lightsim/sharp_test.cpp lightsim/surfaces_test.cpp
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
-                                          "LightRun.BatchesChange*" "LightReceivingLong.*")
+                                          "LightRun.BatchesChange*" "LightReceivingLong.*"
+                                          "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})

@@ -1,4 +1,4 @@
-eikonal_test(test_volume SOURCES volume/volume_test.cpp volume/bad_volume_test.cpp
+eikonal_test(test_volume SOURCES volume/fine_test.cpp volume/volume_test.cpp volume/bad_volume_test.cpp
                      volume/damage_test.cpp volume/objects_test.cpp
              LIBRARIES test_support)
 
