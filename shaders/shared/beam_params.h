@@ -5,7 +5,7 @@
 // Of the kernels that lay out surface voxels and make irradiance.
 struct LayoutParams {
     ivec4 size;  // voxels of the domain; w: fine voxels along an edge of one
-    ivec4 list;  // x: voxels to look at; y: the channel of light, z: surface voxels in all
+    ivec4 list;  // x: voxels to look at, y: words of a mask, z: surface voxels in all
     vec4 weight; // rgb: power of one unit of fixed point [W]; w: area of a voxel's face [m²]
 };
 

@@ -57,7 +57,7 @@ void addOptions(tool::Session& session, Options& o) {
         ->type_name("K")
         ->capture_default_str();
     app.add_option("--beam-error", p.beamError,
-                   "how far a beam's middle may be from where its corners say [fine voxel]")
+                   "how far off what is inside a beam may be, about [fine voxel]")
         ->type_name("E")
         ->default_str("1/3");
     app.add_option("--octree-tolerance", p.octreeTolerance,
