@@ -204,7 +204,7 @@ TEST(LightSurfaces, BeamsDrawTheCausticOfABallOnAFloor) {
 
 TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {
     const BallOverFloor scene;
-    const Params params = onSurfaces(beam(scene.exact.direction), 1, 1 << 17);
+    const Params params = onSurfaces(beam(scene.exact.direction), 1, 1 << 14);
     const Lit a(scene.volume(), params), b(scene.volume(), params);
     EXPECT_EQ(a.result.irradiance.voxels, b.result.irradiance.voxels);
     EXPECT_EQ(a.result.irradiance.values, b.result.irradiance.values);

@@ -39,6 +39,7 @@ double brightest(volume::Volume scene, optics::Boundary boundary, const dvec3& o
 volume::Volume litScene(TestVolume scene, optics::Boundary boundary, const dvec3& sun) {
     lightsim::Params params = lightsim::paramsOf({lightsim::beam(sun)}, 1 << 16);
     params.outputs = lightsim::Output::irradiance;
+    params.surfaceDetail = 2;
     params.tracing.boundary = boundary;
     const lightsim::Lit found(scene.volume(), params);
     volume::Volume lit = scene.take();
