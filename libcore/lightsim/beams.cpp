@@ -27,8 +27,9 @@ constexpr std::int64_t kMostPoints = 3 << 18;
 // Cells split at a time beyond that.
 constexpr std::int64_t kPart = 1 << 14;
 
-// What one beam covers at most, along an axis [fine voxel]: work items share the load.
-constexpr int kWidest = 256;
+// What one beam covers at most, along an axis [fine voxel], if it is worth more: its cells are laid
+// down exactly up to that (kLongest times kMostCells in shaders/lightsim/beam_deposit.comp.glsl).
+constexpr int kWidest = 96;
 
 // What --photons asks for, per cell of the coarsest level: a beam does the work of so many.
 constexpr std::int64_t kPhotonsPerCell = 64;
@@ -63,6 +64,7 @@ struct Beams::Kind {
     std::int64_t capacity = 0, count = 0; ///< points there is room for, and those there are
     std::vector<Nodes> next;              ///< that go on
     std::int64_t wantedCount = 0;
+    std::uint32_t nextWays = 0; ///< bits of the ways that any of them takes
 };
 
 struct Beams::Run {
@@ -177,6 +179,7 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     mCounts.download(counts.data(), mCounts.bytes());
     run.profiler.end();
     kind.wantedCount = counts[kWantedCount];
+    kind.nextWays |= counts[kNextWays];
     next.count = counts[kNextCount];
     if (next.count > 0) kind.next.push_back(std::move(next));
     if (counts[kBeamCount] > 0) {
@@ -233,6 +236,7 @@ void Beams::follow(Run& run, Kind& kind) {
         dispatchList(mFollow, nodes.count);
     }
     for (std::uint32_t way = 0; way < 2; ++way) {
+        if ((kind.nextWays >> way & 1u) == 0) continue;
         Kind after;
         after.ways = kind.ways | way << kind.length;
         after.length = kind.length + 1;
@@ -246,6 +250,7 @@ void Beams::follow(Run& run, Kind& kind) {
     }
     kind.next.clear();
     kind.wantedCount = 0;
+    kind.nextWays = 0;
     kind.marks.clear();
 }
 
@@ -304,7 +309,8 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
         std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1), kBatchCells * kBatchCells);
     const std::int64_t point =
         kPointBytes + 8 + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
-    return {{"the beams", 4 * cells * point, true, 0}};
+    // Of one kind of path, with those of cells that are split.
+    return {{"the beams", std::min(16 * 4 * cells, kMostPoints) * point, true, 0}};
 }
 
 } // namespace eikonal::lightsim

@@ -176,11 +176,12 @@ void sendPhotons(Run& run, const Light& light, const Progress& progress) {
 void sendBeams(Run& run, const Light& light, const Window& window, const Beams::Batch& batch,
                double power) {
     SurfaceReceiver& surfaces = run.receivers.surfaces();
-    // A surface voxel gets 2^20 in the mean, if all light comes to surfaces.
+    // A surface voxel gets 2^20 in the mean, if all light comes to surfaces. No one part is more than
+    // what kNearFull leaves free.
     const double cells = static_cast<double>(window.pixels.x) * window.pixels.y;
     const double share = static_cast<double>(surfaces.count()) / cells;
     const double kLeast = 1.0 / 1024;
-    for (double unit = std::exp2(std::min(24.0, std::floor(20 + std::log2(share)))); unit >= kLeast;
+    for (double unit = std::exp2(std::min(28.0, std::floor(20 + std::log2(share)))); unit >= kLeast;
          unit /= 16) {
         BeamEnergy energy;
         const bool held =

@@ -18,7 +18,6 @@ namespace {
 using glm::ivec3;
 using scene::Scene;
 using volume::kBrick;
-using volume::kBrickVoxels;
 
 // A boundary in a voxel is no farther from its middle [voxel]: half its diagonal, times how much
 // faster than by 1 a voxel distances may grow, and some more for the roundness of fine voxels.

@@ -5,8 +5,8 @@
 namespace eikonal::lightsim {
 
 Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params,
-                     const scene::Transport& transport, const Media& media,
-                     gpu::Profiler& profiler) {
+                     const scene::Transport& transport, const Media& media, gpu::Profiler& profiler)
+    : mPhotonsLand(!plan.beams) {
     if (plan.photons && plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
     if (!plan.surfaces.empty()) mSurfaces.emplace(device, plan, transport, media, profiler);
 }
@@ -23,8 +23,7 @@ void Receivers::clear() {
 
 void Receivers::resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit) {
     if (mVoxels) mVoxels->resolve(device, rgb, power, unit);
-    // Where beams carry light to surfaces photons add nothing there.
-    if (mSurfaces) mSurfaces->collect(device, rgb, power, unit);
+    if (mSurfaces && mPhotonsLand) mSurfaces->collect(device, rgb, power, unit);
 }
 
 Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& params,

@@ -29,6 +29,7 @@ public:
 private:
     std::optional<VoxelReceiver> mVoxels;
     std::optional<SurfaceReceiver> mSurfaces;
+    bool mPhotonsLand; ///< on surfaces; else beams do
 };
 
 } // namespace eikonal::lightsim

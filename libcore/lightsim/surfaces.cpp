@@ -143,6 +143,10 @@ std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {
     const std::int64_t count = surfaces.about();
     std::vector<gpu::Need> needs = scene::surfaceTableNeeds(
         static_cast<std::int64_t>(surfaces.voxels.size()) / 2, surfaces.detail);
+    needs.push_back(
+        {"the bits of fine voxels",
+         4 * static_cast<std::int64_t>(surfaces.voxels.size()) * scene::maskWords(surfaces.detail),
+         true, 0});
     needs.push_back({"the areas of surface voxels", 8 * count, true, 0});
     needs.push_back({"the light on surfaces",
                      4 * count * (plan.tracedChannels() + plan.fluenceChannels()), false, 0});

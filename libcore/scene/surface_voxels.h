@@ -11,7 +11,7 @@
 namespace eikonal::scene {
 
 /// Most fine voxels along an edge of a voxel.
-constexpr int kMostDetail = 16;
+constexpr int kMostDetail = 8;
 
 /// A list of them, as shaders/transport/surface_voxels.glsl reads it.
 struct SurfaceVoxels {

@@ -22,7 +22,12 @@ layout(std430, binding = kBeamsBuffer) readonly buffer Beams { uint beams[]; };
 layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
 
 const int kParts = 4;        // work items along an edge of a beam
-const float kWide = 48.0;    // fine voxels that a part of a broken cell spans at most
+const float kLongest = 6.0;  // edge of such a cell, if so many cells allow it [fine voxel]
+// A triangle in a box of more fine voxels is so thin a light that points will do. Software devices end all loops
+// of a work item after 65,535 rounds, and say nothing of it: a work item has up to 2 (kMostCells / kParts)² of them.
+const int kMostRounds = 1024;
+const int kSpread = 6; // rows of those points
+const float kFaint = 2.0; // of a beam that carries what so many fine voxels get by the plain light they will do
 const int kMostCells = 16;   // cells along it: one that bends so much is a guess in any case
 const float kDensity = 80.0; // cells along it for a bend as large as itself
 const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
@@ -60,6 +65,19 @@ void putLine(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
     }
 }
 
+// Equal parts at points that are spread evenly over a triangle: the middles of its rows' small triangles that
+// stand upright.
+uint putSpread(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
+    const float kPoints = 0.5 * float(kSpread * (kSpread + 1));
+    for (int j = 0; j < kSpread; ++j)
+        for (int i = 0; i < kSpread - j; ++i) {
+            vec2 at = (vec2(i, j) + 1.0 / 3.0) / float(kSpread);
+            vec3 x = a + at.x * (b - a) + at.y * (c - a);
+            put(turnedBack(axis, ivec3(floor(x))), axis, amount / kPoints, phase);
+        }
+    return uint(kPoints);
+}
+
 uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
     vec2 ab = b.xy - a.xy;
     vec2 ac = c.xy - a.xy;
@@ -72,6 +90,7 @@ uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phas
     }
     ivec3 low = ivec3(floor(min(a, min(b, c))));
     ivec3 count = ivec3(floor(max(a, max(b, c)))) - low + 1;
+    if (count.x * count.y * count.z > kMostRounds) return putSpread(a, b, c, axis, amount, phase);
     vec3 origin = vec3(low);
     a -= origin;
     b -= origin;
@@ -106,47 +125,35 @@ vec3 weightsAt(float t) {
     return vec3((1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0));
 }
 
-struct Patch {
-    vec3 place[9];  // [fine voxel]
-    vec3 weight[9];
-};
-
-vec3 placeIn(Patch patch_, vec2 at) {
+// Between nine values, three by three.
+vec3 valueIn(vec3 values[9], vec2 at) {
     vec3 u = weightsAt(at.x);
     vec3 v = weightsAt(at.y);
     vec3 sum = vec3(0.0);
     for (int j = 0; j < 3; ++j)
-        sum += v[j] * (u.x * patch_.place[3 * j] + u.y * patch_.place[3 * j + 1] + u.z * patch_.place[3 * j + 2]);
+        sum += v[j] * (u.x * values[3 * j] + u.y * values[3 * j + 1] + u.z * values[3 * j + 2]);
     return sum;
 }
 
-vec3 weightIn(Patch patch_, vec2 at) {
-    vec3 u = weightsAt(at.x);
-    vec3 v = weightsAt(at.y);
-    vec3 sum = vec3(0.0);
-    for (int j = 0; j < 3; ++j)
-        sum += v[j] * (u.x * patch_.weight[3 * j] + u.y * patch_.weight[3 * j + 1] + u.z * patch_.weight[3 * j + 2]);
-    return max(sum, vec3(0.0));
-}
-
-// Cells along one side of a patch, whose rows have their points `step` apart and begin `row` apart.
-int cellsAlong(Patch patch_, int step, int row) {
+// Cells along one side of a beam, whose rows have their points `step` apart and begin `row` apart, none
+// longer than that.
+int cellsAlong(vec3 place[9], int step, int row, float longest) {
     float bend = 0.0;
     float extent = 0.0;
     for (int i = 0; i < 3; ++i) {
-        vec3 a = patch_.place[i * row];
-        vec3 b = patch_.place[i * row + step];
-        vec3 c = patch_.place[i * row + 2 * step];
+        vec3 a = place[i * row];
+        vec3 b = place[i * row + step];
+        vec3 c = place[i * row + 2 * step];
         bend = max(bend, length(0.5 * (a + c) - b));
         extent = max(extent, length(c - a));
     }
     float wanted = min(max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat)), 1.5 * max(extent, 2.0 * bend));
-    return clamp(int(ceil(wanted)), 1, kMostCells);
+    return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
 }
 
 uint putPoint(BeamPoint point, float power, inout float phase) {
     if (point.event.x != uint(kStopped)) return 0u;
-    put(fineVoxelAt(point.place.xyz), axisOf(abs(point.wave.xyz)), power * point.weight.xyz, phase);
+    put(fineVoxelAt(point.place.xyz), axisOf(point.wave.xyz), power * point.weight.xyz, phase);
     return 1u;
 }
 
@@ -174,17 +181,12 @@ uint putQuarter(BeamNode node, ivec2 quarter, float unit, inout float phase) {
     }
     int a = landed == 4 ? 0 : (missing + 1) & 3;
     float fine = float(surface.size.w);
-    int axis = axisOf(abs(corner[a].wave.xyz));
+    int axis = axisOf(corner[a].wave.xyz);
     vec3 at[4];
     vec3 power = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         at[i] = turnedTo(axis, (corner[i].place.xyz + 0.5) * fine);
         if (corner[i].event.x == uint(kStopped)) power += share * corner[i].weight.xyz;
-    }
-    vec3 span = max(max(at[0], at[1]), max(at[2], at[3])) - min(min(at[0], at[1]), min(at[2], at[3]));
-    if (max(span.x, span.y) > kWide) { // so thin that points will do
-        for (int i = 0; i < 4; ++i) deposits += putPoint(corner[i], share, phase);
-        return deposits;
     }
     int b = (a + 1) & 3;
     int c = (a + 2) & 3;
@@ -204,8 +206,7 @@ void main() {
     float edge = float(node.place.z) / float(params.levels.x);
     float unit = params.limits.z * edge * edge;
     float phase = uniformOf(pcgHash(uint(node.place.x) ^ pcgHash(uint(node.place.y) ^ pcgHash(16u * params.kind.w + item % (kParts * kParts)))));
-    vec3 normal = abs(points[middle].wave.xyz);
-    int axis = axisOf(normal);
+    int axis = axisOf(points[middle].wave.xyz);
     float fine = float(surface.size.w);
     uint deposits = 0u;
     if (entry >= 0x80000000u) {
@@ -215,14 +216,17 @@ void main() {
             deposits = putQuarter(node, part, unit, phase);
         }
     } else {
-        Patch patch_;
+        vec3 place[9]; // [fine voxel]
+        vec3 weight[9];
         for (int i = 0; i < 9; ++i) {
             BeamPoint point = points[pointOf(node, i)];
-            patch_.place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
-            patch_.weight[i] = point.weight.xyz;
+            place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
+            weight[i] = point.weight.xyz;
         }
         // As many cells along each of its sides as it takes for them to be straight and of one density.
-        ivec2 cells = ivec2(cellsAlong(patch_, 1, 3), cellsAlong(patch_, 3, 1));
+        float carries = edge * edge * params.map.x * fine * fine * points[middle].weight.x;
+        float longest = carries < kFaint ? 1.0e9 : kLongest;
+        ivec2 cells = ivec2(cellsAlong(place, 1, 3, longest), cellsAlong(place, 3, 1, longest));
         ivec2 each = (cells + kParts - 1) / kParts;
         ivec2 from = part * each;
         ivec2 to = min(from + each, cells);
@@ -231,11 +235,11 @@ void main() {
         ivec2 cell = from;
         while (cell.y < to.y && cell.x < to.x) {
             vec2 at = vec2(cell) * size;
-            vec3 a = placeIn(patch_, at);
-            vec3 b = placeIn(patch_, at + vec2(size.x, 0.0));
-            vec3 c = placeIn(patch_, at + size);
-            vec3 d = placeIn(patch_, at + vec2(0.0, size.y));
-            vec3 power = amount * weightIn(patch_, at + 0.5 * size);
+            vec3 a = valueIn(place, at);
+            vec3 b = valueIn(place, at + vec2(size.x, 0.0));
+            vec3 c = valueIn(place, at + size);
+            vec3 d = valueIn(place, at + vec2(0.0, size.y));
+            vec3 power = amount * max(valueIn(weight, at + 0.5 * size), vec3(0.0));
             deposits += putTriangle(a, b, c, axis, power, phase);
             deposits += putTriangle(a, c, d, axis, power, phase);
             bool ends = ++cell.x == to.x;

@@ -1,9 +1,9 @@
 // What becomes of each cell of the light's map: it is laid down, goes on from an interface, is split, or ends.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A cell is a beam where its corners and its middle met the same boundaries in the same order, and its
-// middle lies where its corners say (Liktor and Dachsbacher 2011 split by the same two). One that can't be
-// split any more stands for what its middle met.
+// A cell is a beam where its nine points met the same boundaries in the same order, and what is between them
+// follows from them (Liktor and Dachsbacher 2011 split by the same two). One that is not worth splitting any
+// more is laid down, or goes on, as what its points are.
 #include "lightsim/beam_node.glsl"
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
@@ -164,6 +164,7 @@ void main() {
         next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);
         if (alone) next.second.x = waits;
         nextNodes[atomicAdd(counts[kNextCount], 1u)] = next;
+        atomicOr(counts[kNextWays], follow);
         for (int i = 0; i < 9; ++i)
             if (!alone || i == 4) want(pointOf(next, i), follow);
     }

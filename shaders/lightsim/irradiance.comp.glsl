@@ -91,10 +91,7 @@ void main() {
             float slab = floor((row + 0.5) / float(edge));
             ivec3 fine = low + ivec3(within - edge * int(row), int(row) - edge * int(slab), int(slab));
             vec3 normal = normalOf(number);
-            vec3 steep = abs(normal);
-            ivec3 along = steep.x >= steep.y && steep.x >= steep.z ? ivec3(1, 0, 0)
-                          : steep.y >= steep.z                     ? ivec3(0, 1, 0)
-                                                                   : ivec3(0, 0, 1);
+            ivec3 along = axisVector(axisOf(normal));
             Sum sum = columnAt(fine, number, along, normal);
             if (sum.area * float(edge * edge) < kWhole) addNeighbours(sum, fine, along, normal);
             vec3 found = sum.area > 0.0 ? sum.power / (sum.area * params.weight.w) : vec3(0.0);

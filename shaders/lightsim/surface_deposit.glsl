@@ -11,14 +11,6 @@ layout(r32ui, binding = kSurfaceSumsImage) uniform uimage3D surfaceSums;
 
 const uint kMissedSurface = 0xFFFFFFFFu;
 
-int axisOf(vec3 steep) {
-    return steep.x >= steep.y && steep.x >= steep.z ? 0 : steep.y >= steep.z ? 1 : 2;
-}
-
-ivec3 axisVector(int axis) {
-    return ivec3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
-}
-
 // Adds power in fixed point to the surface voxel there, or the next along a step. Returns the largest sum
 // that it was added to, or kMissedSurface.
 uint putOnSurface(ivec3 fine, ivec3 along, vec3 amount, inout float phase) {

@@ -41,7 +41,7 @@ float opacityAt(vec3 x) {
 
 // A photon's light where it lands, `normal` on either side.
 void land(Path path, inout Load load, vec3 x, vec3 normal) {
-    ivec3 along = axisVector(axisOf(abs(normal)));
+    ivec3 along = axisVector(axisOf(normal));
     uint fullest = putOnSurface(fineVoxelAt(x), along, params.limits.z * path.throughput, load.phase);
     if (fullest != kMissedSurface) load.fullest = max(load.fullest, fullest);
 }

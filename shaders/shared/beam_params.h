@@ -59,6 +59,7 @@ const int kWantedCount = 3;   // points that go on
 const int kNearFullCount = 4; // not 0 if a sum came near its end
 const int kDepositCount = 5;
 const int kMissedCount = 6; // parts that fell beside every surface voxel
+const int kNextWays = 7; // bits of the ways that any of those that go on takes
 const int kBeamCounts = 8;
 
 // Books: power by what became of it, in kBookSlots parts of three channels.

@@ -51,3 +51,13 @@ ivec3 surfaceTexel(int number) {
     const int row = (1 << kRowBits) - 1;
     return ivec3(number & row, number >> kRowBits & row, number >> 2 * kRowBits);
 }
+
+// The axis along which a surface's columns of fine voxels lie: its normal's longest.
+int axisOf(vec3 normal) {
+    vec3 steep = abs(normal);
+    return steep.x >= steep.y && steep.x >= steep.z ? 0 : steep.y >= steep.z ? 1 : 2;
+}
+
+ivec3 axisVector(int axis) {
+    return ivec3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+}

@@ -26,9 +26,8 @@ vec4 storedIrradiance(ivec3 fine) {
 // The irradiance of a surface at x, `normal` outward, between the four columns of fine voxels along the
 // normal's longest axis whose middles are round it. Each is asked where the surface's plane passes it.
 vec3 irradianceAt(vec3 x, vec3 normal) {
-    vec3 steep = abs(normal);
-    int axis = steep.x >= steep.y && steep.x >= steep.z ? 0 : steep.y >= steep.z ? 1 : 2;
-    ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
+    int axis = axisOf(normal);
+    ivec3 along = axisVector(axis);
     ivec3 u = axis == 0 ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
     ivec3 v = axis == 2 ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
     vec3 at = (x + 0.5) * float(surface.size.w);

@@ -120,23 +120,24 @@ TEST(LightSurfaces, AThinWallLetsNoLightThrough) {
     const dvec3 normal = glm::normalize(dvec3(0.4, 1, 0.2));
     const double at = glm::dot(normal, dvec3(12));
     const judge::Glass wall{{judge::glassHull({{normal, at + 1}, {-normal, 1 - at}}, 1)}};
-    for (const Method method : {Method::beams, Method::photons}) {
-        Params params = onSurfaces(beam({0, -1, 0}), 2);
-        params.method = method;
-        const Lit lit(sceneOf(wall, ivec3(24)), params);
-        int above = 0, below = 0;
-        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
-            if (!within(x, ivec3(24), 2)) return;
-            const double off = glm::dot(normal, x) - at;
-            if (off < -0.5) {
-                ++below;
-                EXPECT_EQ(e.x, 0);
-            }
-            if (off > 0.5) above += e.x > 0.5 * normal.y;
-        });
-        EXPECT_GT(above, 1000);
-        EXPECT_GT(below, 1000);
-    }
+    for (const Method method : {Method::beams, Method::photons})
+        for (const int detail : {1, 2}) {
+            Params params = onSurfaces(beam({0, -1, 0}), detail);
+            params.method = method;
+            const Lit lit(sceneOf(wall, ivec3(24)), params);
+            int above = 0, below = 0;
+            forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+                if (!within(x, ivec3(24), 2)) return;
+                const double off = glm::dot(normal, x) - at;
+                if (off < -0.5) {
+                    ++below;
+                    EXPECT_EQ(e.x, 0);
+                }
+                if (off > 0.5) above += e.x > 0.5 * normal.y;
+            });
+            EXPECT_GT(above, 300 * detail * detail);
+            EXPECT_GT(below, 300 * detail * detail);
+        }
 }
 
 /// A ball of 16 voxels over a floor, as the judge has it in units of 32 voxels.
@@ -210,6 +211,23 @@ TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {
     EXPECT_EQ(a.result.irradiance.values, b.result.irradiance.values);
 }
 
+TEST(LightSurfaces, AFewWideBeamsLoseNoLight) {
+    // A beam or four for 192² fine voxels and more: far more than a work item's loops may go
+    // through.
+    const dvec3 normal = glm::normalize(dvec3(0.6, 0.8, 0.5)), light(0, -1, 0);
+    const judge::Glass plane{{judge::glassHull({{normal, glm::dot(normal, dvec3(12.3))}}, 1)}};
+    for (const std::int64_t photons : {64, 256}) {
+        const Lit lit(sceneOf(plane, ivec3(24)), onSurfaces(beam(light), 8, photons));
+        int found = 0;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (!within(x, ivec3(24), 2)) return;
+            ++found;
+            EXPECT_NEAR(e.x, normal.y, 0.005 * normal.y);
+        });
+        EXPECT_GE(found, 20 * 20 * 64);
+    }
+}
+
 TEST(LightSurfaces, APointLightFallsOffWithTheSquare) {
     const judge::Glass floor{{judge::glassBox(dvec3(-9), {40, 3, 40}, 1)}};
     const dvec3 place(12, 20, 12);
@@ -242,6 +260,52 @@ TEST(LightSurfaces, WhatAbsorbsDimsTheLightThatComesToASurface) {
         EXPECT_NEAR(e.z, 1, 0.005);
     });
     EXPECT_GT(found, 16 * 16 * 4);
+}
+
+TEST(LightSurfaces, WhatTheDomainsFaceCutsOpenIsLitThere) {
+    const judge::Glass floor{{judge::glassBox(dvec3(-9), {40, 10.3, 40}, 1)}};
+    const dvec3 light = glm::normalize(dvec3(1, -0.5, 0.2));
+    for (const Method method : {Method::beams, Method::photons}) {
+        Params params = onSurfaces(beam(light), 2, 1 << 20);
+        params.method = method;
+        const Lit lit(sceneOf(floor, ivec3(24)), params);
+        int found = 0;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (x.x > 0.5 || x.y > 8 || x.y < 1 || x.z < 1 || x.z > 23) return;
+            ++found;
+            // A row of photons more or less: some hundred and fifty a voxel.
+            EXPECT_NEAR(e.x, light.x, (method == Method::beams ? 0.005 : 0.1) * light.x);
+        });
+        EXPECT_GE(found, 7 * 22 * 4);
+    }
+}
+
+TEST(LightSurfaces, SmoothingTakesNoDarknessFromBehindASurface) {
+    // Thin haze over a floor: its light is 1 down to the floor, whatever the rounds.
+    for (const bool sharp : {false, true}) {
+        TestVolume scene(ivec3(16));
+        scene.constant("ior", 1).constantVector("scattering", dvec3(1e-4));
+        scene.add("opacity", [](dvec3 p) { return p.y < 6 ? 1 : 0; });
+        volume::Volume volume = scene.take();
+        if (sharp) {
+            volume = sceneOf({{judge::glassBox(dvec3(-9), {40, 6, 40}, 1)}}, ivec3(16));
+            volume.putConstant("scattering.medium", glm::vec3(1e-4f));
+        }
+        Params params = paramsOf({beam({0, -1, 0})}, 1 << 14);
+        params.automaticOutputs = true;
+        params.smoothing = 2;
+        const Lit lit(volume, params);
+        EXPECT_TRUE(lit.plan.photons && lit.plan.beams);
+        for (int y = 6; y < 16; ++y) EXPECT_NEAR(lit.fluence({8, y, 8}), 1, 0.01) << y;
+        EXPECT_EQ(lit.fluence({8, 4, 8}), 0);
+        bool onFloor = false;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (!within(x, ivec3(16), 2) || std::abs(x.y - 6) > 0.2) return;
+            onFloor = true;
+            EXPECT_NEAR(e.x, 1, 0.005); // dimmed by 0.001
+        });
+        EXPECT_TRUE(onFloor);
+    }
 }
 
 TEST(LightSurfaces, FluenceIsSimulatedWhereSomethingScattersAlone) {

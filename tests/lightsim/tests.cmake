@@ -3,7 +3,8 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
              lightsim/sharp_test.cpp lightsim/surfaces_test.cpp
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
                                           "LightRun.BatchesChange*" "LightReceivingLong.*"
-                                          "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*")
+                                          "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*"
+                                          "LightSharp.ABallGathers*" "LightMedium.SmoothingKeeps*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})
