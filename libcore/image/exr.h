@@ -50,4 +50,8 @@ void writeExr(const Image& image, const ImageAttributes& attributes, AtomicFile&
 /// MemoryError.
 Image readExr(const std::string& path, const std::string& layer = "", const std::string& name = "");
 
+/// Reads these channels, in this order, of the first flat part that has them all; otherwise as
+/// above. Throws DataError naming the first that the file lacks.
+Image readExrChannels(const std::string& path, const std::vector<std::string>& channels);
+
 } // namespace eikonal::image

@@ -185,6 +185,29 @@ Picture pictureIn(Imf::MultiPartInputFile& file, const std::string& layer,
     throw DataError(path + ": no channels R, G and B, and no Y (found: " + join(all, ", ") + ")");
 }
 
+/// The first part that has all of these channels; throws if there is none.
+Picture channelsIn(Imf::MultiPartInputFile& file, const std::vector<std::string>& channels,
+                   const std::string& path) {
+    std::vector<std::string> all;
+    for (int part = 0; part < file.parts(); ++part) {
+        const Imf::Header& header = file.header(part);
+        if (header.hasType() && Imf::isDeepData(header.type())) continue;
+        const auto isThere = [&](const std::string& name) {
+            const Imf::Channel* found = header.channels().findChannel(name);
+            return found != nullptr && found->xSampling == 1 && found->ySampling == 1;
+        };
+        if (std::all_of(channels.begin(), channels.end(), isThere))
+            return {part, header.hasName() ? header.name() : "", "", channels};
+        for (auto at = header.channels().begin(); at != header.channels().end(); ++at)
+            all.emplace_back(at.name());
+    }
+    for (const std::string& channel : channels)
+        if (!has(all, channel))
+            throw DataError(path + ": no channel '" + channel + "' (found: " + join(all, ", ") +
+                            ")");
+    throw DataError(path + ": no part has all of the channels " + join(channels, ", "));
+}
+
 /// Slices into planar samples that cover the window.
 Imf::FrameBuffer planesOf(std::vector<float>& samples, const std::vector<std::string>& channels,
                           const Imath::Box2i& window) {
@@ -245,10 +268,17 @@ std::optional<std::array<double, 8>> chromaticitiesOf(const Imf::Header& header)
                                  c.blue.x, c.blue.y, c.white.x, c.white.y};
 }
 
-Image decode(const std::string& opened, const std::string& path, const std::string& layer) {
+/// What is read of a file: a layer, "" for its picture, or else channels by their names.
+struct Wanted {
+    std::string layer;
+    std::vector<std::string> channels;
+};
+
+Image decode(const std::string& opened, const std::string& path, const Wanted& wanted) {
     const ExrWorkers workers(0);
     Imf::MultiPartInputFile parts(opened.c_str(), 0);
-    const Picture picture = pictureIn(parts, layer, path);
+    const Picture picture = wanted.channels.empty() ? pictureIn(parts, wanted.layer, path)
+                                                    : channelsIn(parts, wanted.channels, path);
     Imf::InputPart file(parts, picture.part);
     const Imf::Header& header = file.header();
     const Imath::Box2i data = header.dataWindow();
@@ -276,15 +306,12 @@ Image decode(const std::string& opened, const std::string& path, const std::stri
     return image;
 }
 
-} // namespace
-
-Image readExr(const std::string& file, const std::string& layer, const std::string& name) {
-    const std::string& path = name.empty() ? file : name;
+Image read(const std::string& file, const Wanted& wanted, const std::string& path) {
     checkReadable(file);
     try {
         if (!Imf::isOpenExrFile(file.c_str())) throw DataError(path + ": is no OpenEXR file");
         checkAttributes(file, path);
-        return decode(file, path, layer);
+        return decode(file, path, wanted);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
@@ -292,6 +319,16 @@ Image readExr(const std::string& file, const std::string& layer, const std::stri
     } catch (const std::exception& error) {
         throw DataError(path + ": is no readable EXR: " + oneLine(error.what()));
     }
+}
+
+} // namespace
+
+Image readExr(const std::string& file, const std::string& layer, const std::string& name) {
+    return read(file, {layer, {}}, name.empty() ? file : name);
+}
+
+Image readExrChannels(const std::string& file, const std::vector<std::string>& channels) {
+    return read(file, {"", channels}, file);
 }
 
 } // namespace eikonal::image

@@ -84,7 +84,8 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mSort(device, "lightsim/beam_sort.comp.glsl", {{"CHANNELS", plan.tracedChannels()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
       mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
-      mDeposit(device, "lightsim/beam_deposit.comp.glsl", {{"CHANNELS", plan.tracedChannels()}}),
+      mDeposit(device, "lightsim/beam_deposit.comp.glsl",
+               {{"CHANNELS", plan.tracedChannels()}, {"SURFACE_FLOW", plan.sumsFlow()}}),
       mBlock(device, sizeof(BeamParams)), mCounts(device, kBeamCounts * 4),
       mBooks(device, std::int64_t{kBooks} * kBookSlots * 3 * 4), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
@@ -270,7 +271,7 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     const glm::dvec2 cell = 1.0 / glm::dvec2(window.pixels);
     mParams.batch = vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(kCoarsest));
     const double away = window.point ? std::max(0.5 * (window.near + window.far), 1.0) : 1.0;
-    mParams.map = vec4(window.pixelArea() * away * away, 0, 0, 0);
+    mParams.map.x = static_cast<float>(window.pixelArea() * away * away);
     mBooks.clear();
 
     Kind kind;
@@ -302,6 +303,10 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     stats.count("beam_deposits", run.deposits);
     if (run.missed > 0) stats.count("beam_deposits_missed", run.missed);
     return true;
+}
+
+void Beams::begin(const glm::dvec3& colour) {
+    mParams.map = vec4(0, colour);
 }
 
 std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {

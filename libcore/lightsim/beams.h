@@ -34,6 +34,9 @@ public:
     };
     static std::vector<Batch> batchesOf(const Window& window);
 
+    /// Before a light's batches: its RGB over their sum.
+    void begin(const glm::dvec3& colour);
+
     /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a cell of the
     /// coarsest level. Returns whether every sum held it, and what became of the power [cells].
     bool carry(gpu::Device& device, const scene::Transport& transport, const Media& media,

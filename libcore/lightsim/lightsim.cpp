@@ -176,8 +176,8 @@ void sendPhotons(Run& run, const Light& light, const Progress& progress) {
 void sendBeams(Run& run, const Light& light, const Window& window, const Beams::Batch& batch,
                double power) {
     SurfaceReceiver& surfaces = run.receivers.surfaces();
-    // A surface voxel gets 2^20 in the mean, if all light comes to surfaces. No one part is more than
-    // what kNearFull leaves free.
+    // A surface voxel gets 2^20 in the mean, if all light comes to surfaces. No one part is more
+    // than what kNearFull leaves free.
     const double cells = static_cast<double>(window.pixels.x) * window.pixels.y;
     const double share = static_cast<double>(surfaces.count()) / cells;
     const double kLeast = 1.0 / 1024;
@@ -205,6 +205,7 @@ void sendBeams(Run& run, const Light& light, const Window& window, const Beams::
 void sendBeams(Run& run, const Light& light, const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
     const std::vector<Window> windows = run.beams->windowsOf(light);
+    run.beams->begin(light.rgb / (light.rgb.x + light.rgb.y + light.rgb.z));
     for (size_t w = 0; w < windows.size(); ++w) {
         // Radiant power per unit of the light's RGB in a cell of weight 1 [m² or sr].
         const double power = windows[w].pixelArea() * (windows[w].point ? 1.0 : h * h);
@@ -241,13 +242,15 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
     const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
     const double parts = static_cast<double>(bands.size() * params.lights.size());
     double done = 0;
-    for (const optics::Band& band : bands)
-        for (const Light& light : params.lights) {
+    for (const Light& light : params.lights) {
+        for (const optics::Band& band : bands) {
             Light part = inVoxels(light, voxelFromWorld);
             part.rgb *= band.weight;
             sendLight(run, part, partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
             ++done;
         }
+        if (params.lightsApart) run.receivers.readPoints(device, plan);
+    }
     tellDropped(stats, run.dropped);
     profiler.collect();
     Result result = run.receivers.finish(device, plan, params, stats);

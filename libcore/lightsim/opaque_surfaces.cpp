@@ -79,12 +79,12 @@ bool isIdle(const Scene& scene, const volume::BrickGrid& bricks, size_t brick) {
     return true;
 }
 
+} // namespace
+
 int detailFor(size_t voxels) {
     const double perVoxel = kEnough / (kPerFace * static_cast<double>(std::max<size_t>(voxels, 1)));
     return std::clamp(static_cast<int>(std::sqrt(perVoxel)), 2, kMostAutomatic);
 }
-
-} // namespace
 
 std::int64_t OpaqueSurfaces::about() const {
     // Of the voxels that may have some, about half do.
@@ -95,8 +95,8 @@ std::int64_t OpaqueSurfaces::about() const {
 OpaqueSurfaces findSurfaces(const Scene& scene, int detail) {
     OpaqueSurfaces found;
     if (!scene.anyOpaque()) return found;
-    if (scene.voxels() >= std::int64_t{1} << 32)
-        throw MemoryError("more than 2^32 voxels hold opaque surfaces that receive light");
+    if (scene.voxels() >= std::int64_t{1} << 31)
+        throw MemoryError("more than 2^31 voxels hold opaque surfaces that receive light");
     const ivec3 size = scene.size(), first = scene.domain.firstBrick();
     const volume::BrickGrid bricks(size, first, 0);
     std::vector<std::vector<std::uint32_t>> parts(bricks.page.size());

@@ -20,7 +20,10 @@ struct OpaqueSurfaces {
 };
 
 /// Boundaries of opaque material, and what the domain's faces cut of it. `detail` 0: as fine as
-/// some millions of fine voxels are. Throws MemoryError for a domain of more than 2^32 voxels.
+/// some millions of fine voxels are. Throws MemoryError for a domain of more than 2^31 voxels.
 OpaqueSurfaces findSurfaces(const scene::Scene& scene, int detail);
+
+/// The detail at which surfaces that cross so many voxels are some millions of fine voxels.
+int detailFor(size_t voxels);
 
 } // namespace eikonal::lightsim

@@ -32,6 +32,20 @@ enum class Method { automatic, photons, beams };
 /// Throws UsageError.
 Method parseMethod(const std::string& name);
 
+/// Points of opaque surfaces that a picture shows, row by row, in the world.
+struct Points {
+    int width = 0;                  ///< of the picture [pixel]
+    std::vector<glm::dvec3> places; ///< [unit]
+    std::vector<glm::vec3> normals; ///< outward, of any length; 0: no point
+    bool empty() const { return places.empty(); }
+};
+
+/// One of them in voxel space.
+struct PointOnSurface {
+    glm::vec3 place{0};
+    glm::vec3 normal{0}; ///< of length 1; 0: no point
+};
+
 struct Params {
     Method method = Method::automatic;
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
@@ -51,8 +65,10 @@ struct Params {
     int smoothing = 1;          ///< rounds of 3×3×3 smoothing of the result
     bool automaticOutputs = true; ///< what a render of the file needs; else `outputs`
     Output outputs = Output::both;
-    std::uint32_t seed = 0; ///< shifts the photon maps by part of a pixel
-    Triangles proxy;        ///< photons start on it instead of on the domain's faces
+    std::uint32_t seed = 0;   ///< shifts the photon maps by part of a pixel
+    Points points;            ///< surfaces receive light for these alone
+    bool lightsApart = false; ///< points: of each light, too
+    Triangles proxy;          ///< photons start on it instead of on the domain's faces
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;

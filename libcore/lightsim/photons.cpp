@@ -23,6 +23,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     switches.emplace_back("VOLUME", plan.receivesInVolume());
     switches.emplace_back("SPARSE", plan.receivesInVolume() && atlasOf(plan).sparse);
     switches.emplace_back("SURFACES", !plan.surfaces.empty() && !plan.beams);
+    switches.emplace_back("SURFACE_FLOW", plan.sumsFlow() && !plan.beams);
     return switches;
 }
 

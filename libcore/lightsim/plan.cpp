@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "lightsim/beams.h"
 #include "lightsim/photons.h"
+#include "lightsim/points.h"
 #include "lightsim/surfaces.h"
 #include "lightsim/voxels.h"
 #include "scene/effects.h"
@@ -110,6 +111,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.scene = scene::read(scene::Files(volume), wanted);
     const scene::Scene& scene = plan.scene;
     plan.outputs = params.automaticOutputs ? neededOutputs(scene) : params.outputs;
+    if (!params.points.empty()) plan.outputs = receives(scene) ? Output::irradiance : Output::none;
     plan.bends = scene.index.varies();
     plan.attenuates = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
     plan.colour = scene.anyColoured({&Region::absorption, &Region::scattering}) ||
@@ -118,6 +120,12 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.opaque = scene.anyOpaque();
     for (const Light& light : params.lights) plan.colouredLight |= !isGrey(light.rgb);
     if (plan.wants(Output::irradiance)) plan.surfaces = findSurfaces(scene, params.surfaceDetail);
+    if (!params.points.empty()) {
+        plan.points = pointsInVoxels(params.points, scene);
+        plan.surfaces = surfacesNear(plan.surfaces, plan.points, params.points.width, scene.size(),
+                                     params.surfaceDetail);
+        if (plan.surfaces.empty()) plan.outputs = Output::none;
+    }
     if (params.method == Method::beams && plan.receivesInVolume())
         throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
                          " scatters light; expected auto or photons");
@@ -145,6 +153,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     };
     if (plan.receivesInVolume()) add(voxelNeeds(plan, params));
     if (!plan.surfaces.empty()) add(surfaceNeeds(plan));
+    if (!plan.points.empty()) add(pointNeeds(plan.points));
     if (plan.beams) add(beamNeeds(plan, params));
     if (plan.usesOctree()) needs.push_back({"the octree", voxels / 2, false, (edge + 1) / 2});
     if (plan.attenuates && !plan.scene.sharp)

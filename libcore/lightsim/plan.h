@@ -27,10 +27,11 @@ struct Plan {
     bool colour = false;     ///< media or mirrors differ by wavelength: three traced channels
     bool colouredLight = false;
     bool opaque = false;
-    ReceivingBricks receiving; ///< none where no volume receives
-    OpaqueSurfaces surfaces;   ///< none where no surface receives
-    bool photons = false;      ///< photons are sent
-    bool beams = false;        ///< beams are
+    ReceivingBricks receiving;          ///< none where no volume receives
+    OpaqueSurfaces surfaces;            ///< none where no surface receives
+    std::vector<PointOnSurface> points; ///< that are asked for their light, in voxel space
+    bool photons = false;               ///< photons are sent
+    bool beams = false;                 ///< beams are
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
@@ -43,6 +44,7 @@ struct Plan {
     int tracedChannels() const { return colour ? 3 : 1; }
     int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }
     int directionChannels() const { return wants(Output::direction) ? 3 : 0; }
+    bool sumsFlow() const { return !points.empty(); } ///< on surfaces
     /// Fixed-point sums, one a traced channel and component of the direction.
     int planes() const { return tracedChannels() + directionChannels(); }
     std::int64_t voxels() const { return scene.voxels(); }

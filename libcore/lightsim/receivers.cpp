@@ -26,6 +26,10 @@ void Receivers::resolve(gpu::Device& device, const glm::dvec3& rgb, double power
     if (mSurfaces && mPhotonsLand) mSurfaces->collect(device, rgb, power, unit);
 }
 
+void Receivers::readPoints(gpu::Device& device, const Plan& plan) {
+    mPoints.push_back(mSurfaces->readPoints(device, plan.points, plan.scene.worldFromVoxelTurn()));
+}
+
 Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& params,
                          Stats& stats) {
     gpu::Profiler profiler(stats);
@@ -37,7 +41,9 @@ Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& pa
     profiler.begin("download");
     Result result;
     if (mVoxels) result = mVoxels->download(plan);
-    if (mSurfaces) result.irradiance = mSurfaces->finish(device);
+    if (mSurfaces && plan.points.empty()) result.irradiance = mSurfaces->finish(device);
+    if (mSurfaces && !plan.points.empty() && !params.lightsApart) readPoints(device, plan);
+    result.points = std::move(mPoints);
     profiler.end();
     profiler.collect();
     return result;

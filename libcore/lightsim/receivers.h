@@ -23,12 +23,15 @@ public:
     /// or sr], `unit` of fixed point stands for a voxel's length at weight 1.
     void resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
     SurfaceReceiver& surfaces() { return *mSurfaces; }
+    /// The light of points since they were read last.
+    void readPoints(gpu::Device& device, const Plan& plan);
     /// After the last batch.
     Result finish(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats);
 
 private:
     std::optional<VoxelReceiver> mVoxels;
     std::optional<SurfaceReceiver> mSurfaces;
+    std::vector<std::vector<LightAtPoint>> mPoints;
     bool mPhotonsLand; ///< on surfaces; else beams do
 };
 

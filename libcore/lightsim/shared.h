@@ -22,6 +22,8 @@ static_assert(sizeof(PhotonParams) == 112);
 static_assert(sizeof(ResolveParams) == 112);
 static_assert(sizeof(Photon) == 96);
 static_assert(sizeof(LayoutParams) == 48);
+static_assert(sizeof(SurfacePoint) == 32);
+static_assert(sizeof(PointLight) == 32);
 static_assert(sizeof(BeamPoint) == 80);
 static_assert(sizeof(BeamNode) == 64);
 static_assert(sizeof(BeamParams) == 192);

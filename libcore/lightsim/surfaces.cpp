@@ -34,10 +34,14 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
                                  const scene::Transport& transport, const Media& media,
                                  gpu::Profiler& profiler)
     : mCollect(device, "lightsim/collect.comp.glsl",
-               {{"CHANNELS", plan.tracedChannels()}, {"FLUENCE", plan.fluenceChannels()}}),
-      mIrradiance(device, "lightsim/irradiance.comp.glsl", {{"FLUENCE", plan.fluenceChannels()}}),
+               {{"CHANNELS", plan.tracedChannels()},
+                {"FLUENCE", plan.fluenceChannels()},
+                {"SURFACE_FLOW", plan.sumsFlow()}}),
+      mIrradiance(device, "lightsim/irradiance.comp.glsl",
+                  {{"FLUENCE", plan.fluenceChannels()}, {"SURFACE_FLOW", plan.sumsFlow()}}),
       mBlock(device, sizeof(LayoutParams)), mChannels(plan.tracedChannels()),
-      mStored(plan.fluenceChannels()), mVoxelSize(plan.scene.voxelSize()) {
+      mStored(plan.fluenceChannels()), mFlow(plan.sumsFlow()), mVoxelSize(plan.scene.voxelSize()) {
+    if (mFlow) mReader.emplace(device, mStored);
     const OpaqueSurfaces& surfaces = plan.surfaces;
     const int detail = surfaces.detail, words = scene::maskWords(detail);
     transport.bind();
@@ -74,9 +78,10 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
     dispatchList(measure, values.list.x);
     profiler.end();
     device.check("surface voxels");
-    mSums = gpu::Texture(device, rowsFor(mVoxels.count, mChannels), gpu::TexelFormat::r32ui,
+    const int flow = mFlow ? 3 : 0;
+    mSums = gpu::Texture(device, rowsFor(mVoxels.count, mChannels + flow), gpu::TexelFormat::r32ui,
                          gpu::Filter::nearest);
-    mPower = gpu::Texture(device, rowsFor(mVoxels.count, mStored), gpu::TexelFormat::r32f,
+    mPower = gpu::Texture(device, rowsFor(mVoxels.count, mStored + flow), gpu::TexelFormat::r32f,
                           gpu::Filter::nearest);
     mPower.clear();
     clearSums();
@@ -95,7 +100,7 @@ void SurfaceReceiver::collect(gpu::Device& device, const glm::dvec3& rgb, double
                               double unit) {
     LayoutParams values{};
     values.list.z = static_cast<int>(mVoxels.count);
-    values.weight = vec4(rgb * (power / unit), 0);
+    values.weight = vec4(rgb * (power / unit), (rgb.x + rgb.y + rgb.z) / 3 * (power / unit));
     mBlock.upload(&values, sizeof values);
     mBlock.bindUniform(kParamsBlock);
     bind();
@@ -105,8 +110,7 @@ void SurfaceReceiver::collect(gpu::Device& device, const glm::dvec3& rgb, double
     clearSums();
 }
 
-volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
-    mSums = gpu::Texture(); // its memory serves the result
+gpu::Texture SurfaceReceiver::makeIrradiance(gpu::Device& device) {
     gpu::Texture result(device, mPower.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);
     LayoutParams values{};
     values.size = ivec4(mVoxels.size, mVoxels.detail);
@@ -121,6 +125,23 @@ volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
     result.bindImage(kIrradianceImage);
     dispatchList(mIrradiance, values.list.x);
     device.check("irradiance");
+    return result;
+}
+
+std::vector<LightAtPoint> SurfaceReceiver::readPoints(gpu::Device& device,
+                                                      const std::vector<PointOnSurface>& points,
+                                                      const glm::dmat3& turn) {
+    const gpu::Texture irradiance = makeIrradiance(device);
+    std::vector<LightAtPoint> found =
+        mReader->read(device, points, mTable, irradiance, mVoxels.count);
+    for (LightAtPoint& light : found) light.flow = glm::mat3(turn) * light.flow;
+    mPower.clear();
+    return found;
+}
+
+volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
+    mSums = gpu::Texture(); // its memory serves the result
+    const gpu::Texture result = makeIrradiance(device);
     const ivec3 rows = result.size();
     std::vector<float> stored(static_cast<size_t>(rows.x) * rows.y * rows.z);
     result.download(stored.data(), result.bytes());
@@ -148,8 +169,10 @@ std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {
          4 * static_cast<std::int64_t>(surfaces.voxels.size()) * scene::maskWords(surfaces.detail),
          true, 0});
     needs.push_back({"the areas of surface voxels", 8 * count, true, 0});
-    needs.push_back({"the light on surfaces",
-                     4 * count * (plan.tracedChannels() + plan.fluenceChannels()), false, 0});
+    needs.push_back(
+        {"the light on surfaces",
+         4 * count * (plan.tracedChannels() + plan.fluenceChannels() + (plan.sumsFlow() ? 9 : 0)),
+         false, 0});
     return needs;
 }
 

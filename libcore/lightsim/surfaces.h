@@ -6,10 +6,14 @@
 #include "gpu/resources.h"
 #include "lightsim/media.h"
 #include "lightsim/plan.h"
+#include "lightsim/points.h"
 #include "lightsim/result.h"
 #include "lightsim/shared.h"
 #include "scene/surface_voxels.h"
 #include "scene/transport.h"
+
+#include <optional>
+#include <vector>
 
 namespace eikonal::lightsim {
 
@@ -28,17 +32,25 @@ public:
     void collect(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
     /// Power over area, after which nothing more is received.
     volume::FineGrid finish(gpu::Device& device);
+    /// The light of points, flow turned to the world; what comes after is summed anew.
+    std::vector<LightAtPoint> readPoints(gpu::Device& device,
+                                         const std::vector<PointOnSurface>& points,
+                                         const glm::dmat3& turn);
 
     std::int64_t count() const { return mVoxels.count; }
     int detail() const { return mVoxels.detail; }
 
 private:
+    gpu::Texture makeIrradiance(gpu::Device& device);
+
     scene::SurfaceVoxels mVoxels;
     scene::SurfaceTable mTable;
     gpu::Program mCollect, mIrradiance;
     gpu::Buffer mBlock, mList, mAreas;
     gpu::Texture mSums, mPower;
+    std::optional<PointReader> mReader;
     int mChannels = 1, mStored = 1;
+    bool mFlow = false; ///< flow is summed, too
     double mVoxelSize = 1;
 };
 

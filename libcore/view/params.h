@@ -17,6 +17,15 @@ using optics::Interpolation;
 /// Names of the pictures that can go beside the colour.
 const std::vector<std::string>& allAovs();
 
+/// Light for the points of a picture, row by row, as lightsim --at gives it.
+struct PointLights {
+    int width = 0, rows = 0;        ///< of the picture [pixel]
+    std::vector<glm::dvec3> places; ///< in the world [unit]
+    std::vector<bool> isPoint;      ///< whether a pixel shows an opaque surface
+    std::vector<glm::vec3> lights;  ///< irradiance [W/m²]
+    bool empty() const { return places.empty(); }
+};
+
 struct Params : optics::Tracing {
     Camera camera;
     int maxDepth = 32; ///< sharp: most boundaries that a ray meets
@@ -27,6 +36,7 @@ struct Params : optics::Tracing {
     int samples = 1;  ///< rays of a pixel, in a fixed pattern
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
+    PointLights points;         ///< where a pixel's first branch ends, in place of the stored light
     glm::dvec3 background{0};   ///< radiance where there is no map
     double environmentTurn = 0; ///< of the map about its up axis [degree]
     bool environmentZUp = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -30,6 +31,18 @@ struct Places {
         return dvec3(worldFromVoxel * glm::dvec4(dvec3(path.place), 1.0));
     }
 };
+
+bool isOnSurface(const PixelPath& path) {
+    return path.error.y == 1;
+}
+
+/// The normal where it ended, as shaders/lib/octahedral.glsl packs it.
+dvec3 outwardOf(const PixelPath& path) {
+    const glm::dvec2 p(path.error.z, path.error.w);
+    const double z = 1 - std::abs(p.x) - std::abs(p.y);
+    if (z >= 0) return {p, z};
+    return {(1 - std::abs(p.y)) * (p.x < 0 ? -1 : 1), (1 - std::abs(p.x)) * (p.y < 0 ? -1 : 1), z};
+}
 
 /// A picture that goes beside the colour: its channels, and a pixel's values.
 struct Aov {
@@ -59,6 +72,14 @@ constexpr Aov kAovTable[] = {
     {"Z", "",
      [](const PixelPath& path, const Places& places) {
          return dvec3(glm::dot(places.placeOf(path) - places.eye, places.forward));
+     }},
+    {"position", "XYZ",
+     [](const PixelPath& path, const Places& places) {
+         return isOnSurface(path) ? places.placeOf(path) : dvec3(0);
+     }},
+    {"normal", "XYZ",
+     [](const PixelPath& path, const Places& places) {
+         return isOnSurface(path) ? glm::normalize(places.turn * outwardOf(path)) : dvec3(0);
      }},
     {"error", "V", [](const PixelPath& path, const Places&) { return dvec3(path.error.x); }},
 };

@@ -35,11 +35,13 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
                                           : anisotropy.why});
     add(named("emission"));
     add(named("opaque"));
-    const bool shines = plan.opaque && !scene.light.surfaces.empty();
-    add({"irradiance", shines,
-         shines        ? "grid 'irradiance'"
-         : plan.opaque ? "no grid 'irradiance'"
-                       : "nothing is opaque"});
+    const bool stored = !scene.light.surfaces.empty(), points = !params.points.empty();
+    add({"irradiance", plan.opaque && (stored || points),
+         plan.opaque && points
+             ? stored ? "--light, and grid 'irradiance' where that has no point" : "--light"
+         : plan.opaque && stored ? "grid 'irradiance'"
+         : plan.opaque           ? "no grid 'irradiance'"
+                                 : "nothing is opaque"});
     add({"colour", plan.colour,
          plan.colour ? "coefficients or light differ by wavelength" : "medium and light are grey"});
     const bool glows = params.background != glm::dvec3(0);
@@ -53,7 +55,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     for (const std::string& idle : scene::idleWarnings(files, all)) plan.warnings.push_back(idle);
     if (scattering.on && !plan.lit())
         plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
-    if (plan.opaque && scene.light.surfaces.empty())
+    if (plan.opaque && scene.light.surfaces.empty() && params.points.empty())
         plan.warnings.push_back("what is opaque in " + scene.path +
                                 " is black, since no light is stored on it: run lightsim first");
 }
@@ -87,6 +89,10 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     std::vector<gpu::Need> needs = scene::transportNeeds(plan.scene, params);
     for (const gpu::Need& need : mediaNeeds(plan)) needs.push_back(need);
     for (const gpu::Need& need : pictureNeeds(plan, params)) needs.push_back(need);
+    if (!params.points.empty())
+        needs.push_back({"the light of points",
+                         32 * static_cast<std::int64_t>(params.points.places.size()), false,
+                         std::max(params.points.width, params.points.rows)});
     return needs;
 }
 

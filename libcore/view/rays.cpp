@@ -47,6 +47,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("EMISSION", plan.emits && (sharp || plan.anisotropic));
     list.emplace_back("MAP", plan.map);
     list.emplace_back("AOVS", wantsPaths(plan, params));
+    list.emplace_back("POINTS", !params.points.empty());
     const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
     list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
     list.emplace_back("WAITING", sharp ? static_cast<int>(std::bit_ceil(depth)) : 1);
@@ -178,6 +179,7 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mTransport = scene::Transport(device, plan.scene, params, stepsOf(plan, params));
     mMedia = Media(device, plan);
     mMap = makeMap(device, map);
+    if (!params.points.empty()) uploadPoints(device, plan, params.points);
     profiler.end();
     const scene::Scene& scene = plan.scene;
     const Camera& camera = params.camera;
@@ -207,10 +209,29 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mValues.picture = ivec4(camera.width, camera.rows, 0, 0);
 }
 
+void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights& points) {
+    const glm::ivec3 size(points.width, points.rows, 0);
+    const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
+    std::vector<vec4> places(points.places.size()), lights(places.size());
+    for (size_t i = 0; i < places.size(); ++i) {
+        places[i] =
+            vec4(glm::vec3(voxelFromWorld * glm::dvec4(points.places[i], 1.0)), points.isPoint[i]);
+        lights[i] = vec4(points.lights[i], 0);
+    }
+    mPointPlaces = Texture(device, size, TexelFormat::rgba32f, gpu::Filter::nearest);
+    mPointLights = Texture(device, size, TexelFormat::rgba32f, gpu::Filter::nearest);
+    mPointPlaces.upload(places.data());
+    mPointLights.upload(lights.data());
+}
+
 void Rays::bind() const {
     mTransport.bind();
     mMedia.bind();
     if (mMap.name() != 0) mMap.bindSampler(kEnvironmentUnit);
+    if (mPointPlaces.name() != 0) {
+        mPointPlaces.bindSampler(kPointPlacesUnit);
+        mPointLights.bindSampler(kPointLightsUnit);
+    }
     mBlock.bindUniform(kParamsBlock);
 }
 

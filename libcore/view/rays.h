@@ -39,11 +39,12 @@ public:
 
 private:
     void launch(int width, int rows);
+    void uploadPoints(gpu::Device& device, const Plan& plan, const PointLights& points);
 
     gpu::Program mProgram;
     scene::Transport mTransport;
     Media mMedia;
-    gpu::Texture mMap;
+    gpu::Texture mMap, mPointPlaces, mPointLights;
     gpu::Buffer mBlock;
     ViewParams mValues{};
     int mWidth;

@@ -3,6 +3,7 @@
 //
 // A triangle that light has turned over, or folded into a line, carries its power all the same.
 #include "lib/cut.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/random.glsl"
 #include "lightsim/beam_node.glsl"
 #include "lightsim/surface_deposit.glsl"
@@ -10,8 +11,8 @@
 #include "shared/bindings.h"
 #include "transport/status.glsl"
 
-#ifndef CHANNELS
-#error CHANNELS must be 1 or 3
+#if !defined(CHANNELS) || !defined(SURFACE_FLOW)
+#error CHANNELS must be 1 or 3, SURFACE_FLOW 0 or 1
 #endif
 
 layout(local_size_x = 64) in;
@@ -43,14 +44,14 @@ ivec3 turnedBack(int axis, ivec3 p) {
 }
 
 // Adds power in fixed point to the surface voxel there, or the next along the axis.
-void put(ivec3 fine, int axis, vec3 amount, inout float phase) {
-    uint fullest = putOnSurface(fine, axisVector(axis), amount, phase);
+void put(ivec3 fine, int axis, Light light, inout float phase) {
+    uint fullest = putOnSurface(fine, axisVector(axis), light, phase);
     if (fullest == kMissedSurface) atomicAdd(counts[kMissedCount], 1u);
     else if (fullest >= kNearFull) atomicOr(counts[kNearFullCount], 1u);
 }
 
 // A triangle without area: its power lies along its longest side.
-void putLine(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
+void putLine(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phase) {
     vec3 ab = b - a;
     vec3 bc = c - b;
     vec3 ca = a - c;
@@ -61,36 +62,36 @@ void putLine(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
     int parts = clamp(int(2.0 * length(side)) + 1, 1, 64);
     for (int i = 0; i < parts; ++i) {
         vec3 at = from + ((float(i) + 0.5) / float(parts)) * side;
-        put(turnedBack(axis, ivec3(floor(at))), axis, amount / float(parts), phase);
+        put(turnedBack(axis, ivec3(floor(at))), axis, scaled(light, 1.0 / float(parts)), phase);
     }
 }
 
 // Equal parts at points that are spread evenly over a triangle: the middles of its rows' small triangles that
 // stand upright.
-uint putSpread(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
+uint putSpread(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phase) {
     const float kPoints = 0.5 * float(kSpread * (kSpread + 1));
     for (int j = 0; j < kSpread; ++j)
         for (int i = 0; i < kSpread - j; ++i) {
             vec2 at = (vec2(i, j) + 1.0 / 3.0) / float(kSpread);
             vec3 x = a + at.x * (b - a) + at.y * (c - a);
-            put(turnedBack(axis, ivec3(floor(x))), axis, amount / kPoints, phase);
+            put(turnedBack(axis, ivec3(floor(x))), axis, scaled(light, 1.0 / kPoints), phase);
         }
     return uint(kPoints);
 }
 
-uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phase) {
+uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phase) {
     vec2 ab = b.xy - a.xy;
     vec2 ac = c.xy - a.xy;
     float area = 0.5 * (ab.x * ac.y - ab.y * ac.x);
     vec2 bc = c.xy - b.xy;
     float longest = sqrt(max(dot(ab, ab), max(dot(ac, ac), dot(bc, bc))));
     if (2.0 * abs(area) <= kThin * max(longest, kThin)) {
-        putLine(a, b, c, axis, amount, phase);
+        putLine(a, b, c, axis, light, phase);
         return 1u;
     }
     ivec3 low = ivec3(floor(min(a, min(b, c))));
     ivec3 count = ivec3(floor(max(a, max(b, c)))) - low + 1;
-    if (count.x * count.y * count.z > kMostRounds) return putSpread(a, b, c, axis, amount, phase);
+    if (count.x * count.y * count.z > kMostRounds) return putSpread(a, b, c, axis, light, phase);
     vec3 origin = vec3(low);
     a -= origin;
     b -= origin;
@@ -106,7 +107,7 @@ uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, vec3 amount, inout float phas
         if (at.z > 0) part -= areaBelow(a, b, c, vec2(at.xy), float(at.z));
         float share = clamp(part / area, 0.0, 1.0);
         if (share > 1.0e-6) {
-            put(turnedBack(axis, low + at), axis, share * amount, phase);
+            put(turnedBack(axis, low + at), axis, scaled(light, share), phase);
             ++deposits;
         }
         ++at.x;
@@ -151,9 +152,18 @@ int cellsAlong(vec3 place[9], int step, int row, float longest) {
     return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
 }
 
-uint putPoint(BeamPoint point, float power, inout float phase) {
+vec3 directionOf(BeamPoint point) {
+    return fromOctahedral(unpackSnorm2x16(uint(point.map.z)));
+}
+
+// What a point that landed has of a share of the light.
+Light lightAt(BeamPoint point, float share) {
+    return lightOf(share * point.weight.xyz, kFlow ? directionOf(point) : vec3(0.0), params.map.yzw);
+}
+
+uint putPoint(BeamPoint point, float share, inout float phase) {
     if (point.event.x != uint(kStopped)) return 0u;
-    put(fineVoxelAt(point.place.xyz), axisOf(point.wave.xyz), power * point.weight.xyz, phase);
+    put(fineVoxelAt(point.place.xyz), axisOf(point.wave.xyz), lightAt(point, share), phase);
     return 1u;
 }
 
@@ -183,17 +193,20 @@ uint putQuarter(BeamNode node, ivec2 quarter, float unit, inout float phase) {
     float fine = float(surface.size.w);
     int axis = axisOf(corner[a].wave.xyz);
     vec3 at[4];
-    vec3 power = vec3(0.0);
+    Light light = Light(vec3(0.0), vec3(0.0));
     for (int i = 0; i < 4; ++i) {
         at[i] = turnedTo(axis, (corner[i].place.xyz + 0.5) * fine);
-        if (corner[i].event.x == uint(kStopped)) power += share * corner[i].weight.xyz;
+        if (corner[i].event.x != uint(kStopped)) continue;
+        Light more = lightAt(corner[i], share);
+        light.power += more.power;
+        light.flow += more.flow;
     }
     int b = (a + 1) & 3;
     int c = (a + 2) & 3;
     int d = (a + 3) & 3;
-    if (landed == 3) return putTriangle(at[a], at[b], at[c], axis, power, phase);
-    return putTriangle(at[a], at[b], at[c], axis, 0.5 * power, phase) +
-           putTriangle(at[a], at[c], at[d], axis, 0.5 * power, phase);
+    if (landed == 3) return putTriangle(at[a], at[b], at[c], axis, light, phase);
+    return putTriangle(at[a], at[b], at[c], axis, scaled(light, 0.5), phase) +
+           putTriangle(at[a], at[c], at[d], axis, scaled(light, 0.5), phase);
 }
 
 void main() {
@@ -218,10 +231,16 @@ void main() {
     } else {
         vec3 place[9]; // [fine voxel]
         vec3 weight[9];
+#if SURFACE_FLOW == 1
+        vec3 travel[9];
+#endif
         for (int i = 0; i < 9; ++i) {
             BeamPoint point = points[pointOf(node, i)];
             place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
             weight[i] = point.weight.xyz;
+#if SURFACE_FLOW == 1
+            travel[i] = directionOf(point);
+#endif
         }
         // As many cells along each of its sides as it takes for them to be straight and of one density.
         float carries = edge * edge * params.map.x * fine * fine * points[middle].weight.x;
@@ -240,8 +259,13 @@ void main() {
             vec3 c = valueIn(place, at + size);
             vec3 d = valueIn(place, at + vec2(0.0, size.y));
             vec3 power = amount * max(valueIn(weight, at + 0.5 * size), vec3(0.0));
-            deposits += putTriangle(a, b, c, axis, power, phase);
-            deposits += putTriangle(a, c, d, axis, power, phase);
+#if SURFACE_FLOW == 1
+            Light light = lightOf(power, normalize(valueIn(travel, at + 0.5 * size)), params.map.yzw);
+#else
+            Light light = Light(power, vec3(0.0));
+#endif
+            deposits += putTriangle(a, b, c, axis, light, phase);
+            deposits += putTriangle(a, c, d, axis, light, phase);
             bool ends = ++cell.x == to.x;
             if (ends) cell = ivec2(from.x, cell.y + 1);
         }

@@ -6,6 +6,7 @@
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
 #include "lib/attenuation.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/random.glsl"
 #include "transport/integrate.glsl"
 #include "transport/interface.glsl"
@@ -211,7 +212,7 @@ void main() {
     point.wave = vec4(path.status == kStopped ? load.outward : path.ray.w, 0.0);
     point.weight = vec4(path.throughput, load.mirrored);
     point.event = uvec4(path.status, load.met, uint(load.object), firstBits(path.objects) | uint(path.depth) << 16u);
-    point.map = ivec4(map, 0, 0);
+    point.map = ivec4(map, packSnorm2x16(octahedralOf(path.ray.w)), 0);
     points[id] = point;
     if (kMany) inObjects[id] = path.objects;
 }

@@ -8,8 +8,8 @@
 #include "shared/bindings.h"
 #include "transport/surface_voxels.glsl"
 
-#ifndef FLUENCE
-#error FLUENCE must be 1 or 3
+#if !defined(FLUENCE) || !defined(SURFACE_FLOW)
+#error FLUENCE must be 1 or 3, SURFACE_FLOW 0 or 1
 #endif
 
 layout(local_size_x = 64) in;
@@ -19,12 +19,14 @@ layout(std430, binding = kAreasBuffer) readonly buffer Areas { uvec2 areas[]; };
 layout(r32f, binding = kSurfacePowerImage) uniform readonly image3D power;         // [W]
 layout(r32f, binding = kIrradianceImage) uniform writeonly image3D irradiance; // [W/m²]
 
+const bool kFlow = SURFACE_FLOW == 1;
 const int kColumn = 3;          // most surface voxels of a column on either side of one
 const float kSameSide = 0.3;    // cosine between normals of one surface
 const float kWhole = 0.25;      // share of a column's foot below which neighbours lend theirs
 
 struct Sum {
     vec3 power;
+    vec3 flow;  // power times the direction it travels in
     float area; // [face of a voxel]
 };
 
@@ -35,11 +37,13 @@ vec3 normalOf(int number) {
 void add(inout Sum sum, int number) {
     sum.area += uintBitsToFloat(areas[number].x);
     for (int c = 0; c < FLUENCE; ++c) sum.power[c] += imageLoad(power, surfaceTexel(number + c * params.list.z)).x;
+    for (int c = 0; c < 3 && kFlow; ++c)
+        sum.flow[c] += imageLoad(power, surfaceTexel(number + (FLUENCE + c) * params.list.z)).x;
 }
 
 // Of the column that a fine voxel on a surface of that normal is in.
 Sum columnAt(ivec3 fine, int number, ivec3 along, vec3 normal) {
-    Sum sum = Sum(vec3(0.0), 0.0);
+    Sum sum = Sum(vec3(0.0), vec3(0.0), 0.0);
     add(sum, number);
     for (int side = -1; side <= 1; side += 2) {
         bool goes = true;
@@ -67,6 +71,7 @@ void addNeighbours(inout Sum sum, ivec3 fine, ivec3 along, vec3 normal) {
             if (dot(normalOf(other), normal) <= kSameSide) continue;
             Sum column = columnAt(at, other, along, normal);
             sum.power += column.power;
+            sum.flow += column.flow;
             sum.area += column.area;
             break;
         }
@@ -94,9 +99,11 @@ void main() {
             ivec3 along = axisVector(axisOf(normal));
             Sum sum = columnAt(fine, number, along, normal);
             if (sum.area * float(edge * edge) < kWhole) addNeighbours(sum, fine, along, normal);
-            vec3 found = sum.area > 0.0 ? sum.power / (sum.area * params.weight.w) : vec3(0.0);
+            float scale = sum.area > 0.0 ? 1.0 / (sum.area * params.weight.w) : 0.0;
             for (int c = 0; c < FLUENCE; ++c)
-                imageStore(irradiance, surfaceTexel(number + c * params.list.z), vec4(found[c], 0.0, 0.0, 0.0));
+                imageStore(irradiance, surfaceTexel(number + c * params.list.z), vec4(scale * sum.power[c], 0.0, 0.0, 0.0));
+            for (int c = 0; c < 3 && kFlow; ++c)
+                imageStore(irradiance, surfaceTexel(number + (FLUENCE + c) * params.list.z), vec4(scale * sum.flow[c], 0.0, 0.0, 0.0));
             ++number;
         }
     }

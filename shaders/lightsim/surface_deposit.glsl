@@ -1,19 +1,36 @@
 // Light that lands on opaque surfaces: fixed-point sums by surface voxels.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Included where CHANNELS is known.
+// Included where CHANNELS is known, and SURFACE_FLOW: whether the direction that light travels in is summed, too.
 #include "shared/bindings.h"
 #include "shared/limits.h"
 #include "transport/surface_voxels.glsl"
 
-// A plane for each traced channel, one behind the other.
+const bool kFlow = SURFACE_FLOW == 1;
+
+// A plane for each traced channel, one behind the other, then three of flow.
 layout(r32ui, binding = kSurfaceSumsImage) uniform uimage3D surfaceSums;
 
 const uint kMissedSurface = 0xFFFFFFFFu;
 
-// Adds power in fixed point to the surface voxel there, or the next along a step. Returns the largest sum
-// that it was added to, or kMissedSurface.
-uint putOnSurface(ivec3 fine, ivec3 along, vec3 amount, inout float phase) {
+// Light in fixed point: its power by channel, and that times the unit vector along which it travels.
+struct Light {
+    vec3 power;
+    vec3 flow;
+};
+
+// Of power that travels along `direction`. `colour` weighs the channels.
+Light lightOf(vec3 power, vec3 direction, vec3 colour) {
+    return Light(power, kFlow ? (CHANNELS == 3 ? dot(power, colour) : power.x) * direction : vec3(0.0));
+}
+
+Light scaled(Light light, float share) {
+    return Light(share * light.power, share * light.flow);
+}
+
+// Adds light to the surface voxel there, or the next along a step. Returns the largest sum that it was added
+// to, or kMissedSurface.
+uint putOnSurface(ivec3 fine, ivec3 along, Light light, inout float phase) {
     int number = surfaceVoxelOf(fine);
     for (int step = 1; step <= 2 && number < 0; ++step) {
         number = surfaceVoxelOf(fine + step * along);
@@ -24,11 +41,16 @@ uint putOnSurface(ivec3 fine, ivec3 along, vec3 amount, inout float phase) {
     if (number < 0) return kMissedSurface;
     uint fullest = 0u;
     for (int c = 0; c < CHANNELS; ++c) {
-        uint whole = uint(amount[c] + phase);
+        uint whole = uint(light.power[c] + phase);
         if (whole > 0u) {
             ivec3 texel = surfaceTexel(number + c * int(surface.table.w));
             fullest = max(fullest, imageAtomicAdd(surfaceSums, texel, whole));
         }
+    }
+    // Half of it: signed sums end halfway.
+    for (int c = 0; c < 3 && kFlow; ++c) {
+        ivec3 texel = surfaceTexel(number + (CHANNELS + c) * int(surface.table.w));
+        imageAtomicAdd(surfaceSums, texel, uint(int(floor(0.5 * light.flow[c] + phase))));
     }
     return fullest;
 }

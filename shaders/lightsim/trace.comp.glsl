@@ -10,8 +10,9 @@
 #include "transport/interface.glsl"
 #include "transport/path.glsl"
 
-#if !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || !defined(VOLUME) || !defined(SURFACES)
-#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION, VOLUME, SURFACES 0 or 1
+#if !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || !defined(VOLUME) || !defined(SURFACES) || \
+    !defined(SURFACE_FLOW)
+#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION, VOLUME, SURFACES, SURFACE_FLOW 0 or 1
 #endif
 const bool kVolume = VOLUME == 1; // voxels receive light
 const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
@@ -42,7 +43,8 @@ float opacityAt(vec3 x) {
 // A photon's light where it lands, `normal` on either side.
 void land(Path path, inout Load load, vec3 x, vec3 normal) {
     ivec3 along = axisVector(axisOf(normal));
-    uint fullest = putOnSurface(fineVoxelAt(x), along, params.limits.z * path.throughput, load.phase);
+    Light light = lightOf(params.limits.z * path.throughput, normalize(path.ray.w), params.colour.xyz);
+    uint fullest = putOnSurface(fineVoxelAt(x), along, light, load.phase);
     if (fullest != kMissedSurface) load.fullest = max(load.fullest, fullest);
 }
 

@@ -6,7 +6,19 @@
 struct LayoutParams {
     ivec4 size;  // voxels of the domain; w: fine voxels along an edge of one
     ivec4 list;  // x: voxels to look at, y: words of a mask, z: surface voxels in all
-    vec4 weight; // rgb: power of one unit of fixed point [W]; w: area of a voxel's face [m²]
+    vec4 weight; // rgb: power of one unit of fixed point [W]; w: the mean of those, or of the kernel
+                 // that makes irradiance the area of a voxel's face [m²]
+};
+
+// A point of an opaque surface that is asked for its light.
+struct SurfacePoint {
+    vec4 place;  // [voxel]
+    vec4 normal; // outward, voxel space; 0: no point
+};
+
+struct PointLight {
+    vec4 irradiance; // rgb [W/m²]; w: 1 where there are surface voxels
+    vec4 flow;       // the same by the direction of travel, voxel space: a vector sum, mean of rgb
 };
 
 // Where a light's ray is at an event: on the opaque surface it landed on, at an interface, or gone.
@@ -17,7 +29,7 @@ struct BeamPoint {
                  // w: the share that an interface reflects, 1: all of it
     uvec4 event; // x: its status, y: what it met on the way, z: the object of the boundary it is at,
                  // w: of few objects those it is in, and from bit 16 on the interfaces it has met
-    ivec4 map;   // xy: its place on the light's map [finest cell]
+    ivec4 map;   // xy: its place on the light's map [finest cell], z: the direction of w, octahedral
 };
 
 // A cell of the light's map, a beam where its nine points agree: three by three, row by row.
@@ -45,7 +57,8 @@ struct BeamParams {
     vec4 forward; // xyz: directional light's direction of travel, or the view's axis; w: 1 for a
                   // point light
     vec4 origin;  // xyz: the light in voxels; w: 1 if it is in the domain
-    vec4 map;     // x: area of a cell of the coarsest level, where the domain is [voxel²]
+    vec4 map;     // x: area of a cell of the coarsest level, where the domain is [voxel²]; yzw: the
+                  // light's RGB over their sum, the weights of its direction
     vec4 batch;   // xy: share of the map at the batch's low corner, zw: and of one finest cell
 };
 

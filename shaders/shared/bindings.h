@@ -34,6 +34,8 @@ const int kEmissionUnit = 4;    // [radiance/voxel]
 const int kOpacityUnit = 5;     // opacity, albedo
 const int kFluenceUnit = 6;     // [W/m²]
 const int kEnvironmentUnit = 7; // radiance
+const int kPointPlacesUnit = 18; // of a picture whose points' light is known [voxel]
+const int kPointLightsUnit = 19; // that light [W/m²]
 
 // view: storage buffers.
 const int kColoursBuffer = 0;    // premultiplied RGBA per pixel
@@ -75,6 +77,8 @@ const int kParentObjectsBuffer = 13; // of many objects: those that each parent 
 const int kSlotsBuffer = 14;         // where points that go on are in the list of them
 const int kVoxelListBuffer = 0;      // voxels of the domain to look at
 const int kMasksBuffer = 1;          // which of their fine voxels opaque surfaces cross
+const int kSurfacePointsBuffer = 0;  // points of surfaces that are asked for their light
+const int kPointLightsBuffer = 1;    // what they get
 const int kAreasBuffer = 2;          // of each surface voxel: area [face of a voxel], normal
 
 // lightsim: images of surface voxels, by rows.

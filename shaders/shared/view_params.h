@@ -25,7 +25,8 @@ struct PixelPath {
     vec4 place;     // where the ray left or stopped [voxel]; w: optical path length [voxel]
     vec4 direction; // unit, voxel space; w: path length [voxel]
     vec4 through;   // transmittance; w: steps
-    vec4 error;     // x: | |w| − n | at the exit, y: 1 if it missed the domain
+    vec4 error;     // x: | |w| − n | at the exit; y: 1 if it ended on an opaque surface, zw: the normal
+                    // of that, octahedral, voxel space
 };
 
 // Counters are (low, high) words, spread over slots so that pixels do not queue for one.

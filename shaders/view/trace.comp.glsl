@@ -11,8 +11,8 @@
 #include "transport/path.glsl"
 
 #if !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || !defined(MAP) || \
-    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES)
-#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS 0 or 1, WAITING from 1
+    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS)
+#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS 0 or 1, WAITING from 1
 #endif
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
 const bool kColour = CHANNELS == 3;   // it does so, or glows, by wavelength
@@ -20,6 +20,7 @@ const bool kGlows = SOURCE > 0;       // light is scattered towards the eye; if 
 const bool kAnisotropic = SOURCE == 2; // scattering prefers a direction
 const bool kEmission = EMISSION == 1; // something emits; if blurred, beside anisotropic scattering
 const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
+const bool kPoints = POINTS == 1;     // light is known for the points where first branches end
 const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -35,6 +36,8 @@ layout(binding = kEmissionUnit) uniform sampler3D emission;
 layout(binding = kOpacityUnit) uniform sampler3D surfaceOpacity; // opacity, albedo
 layout(binding = kFluenceUnit) uniform sampler3D fluence; // [W/m²]
 
+#include "lib/octahedral.glsl"
+ivec2 pixelNow; // in the picture
 #include "view/environment.glsl"
 #include "view/camera_ray.glsl"
 #include "view/counters.glsl"
@@ -51,6 +54,7 @@ struct Load {
     bool first;     // the first branch is on its way
     vec3 along;     // by what its throughput is more than its own: reflections not followed
     Path firstPath; // where that ended
+    vec3 outward;   // normal of the surface it ended on
     vec3 clear;     // opaque voxels: the last point known to be outside them
     vec3 inside;    // a point within them, when stopped
 };
@@ -98,11 +102,16 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
     }
 }
 
+// A path that ends on an opaque surface, seen through index n.
+void land(Path path, inout Load load, vec3 x, vec3 normal, vec3 albedo, float n) {
+    vec3 light = irradianceOn(x, normal, load.first);
+    load.light += path.throughput * albedo * light * (0.3183098861837907 / (n * n));
+    if (kAovs && load.first) load.outward = normal;
+}
+
 void onSurface(inout Path path, inout Load load, Interface at) {
     ++load.interfaces;
-    float n2 = dot(path.ray.w, path.ray.w);
-    load.light += path.throughput *
-                  reflectedLight(at.x, -at.normal, scene.regions[at.there].albedo.xyz) / n2;
+    land(path, load, at.x, -at.normal, scene.regions[at.there].albedo.xyz, length(path.ray.w));
 }
 
 float brightest(vec3 share) {
@@ -169,7 +178,8 @@ void reachVoxels(inout Path path, inout Load load) {
         gather(path, load, 0.5 * (path.ray.x + inside), direction, extent, n, 0);
     if (kMeasures) path.lengths += dvec2(extent * n, extent);
     path.ray.x = inside;
-    load.light += path.throughput * voxelSurfaceLight(inside) / (n * n);
+    vec3 normal = opaqueNormalAt(inside);
+    land(path, load, inside, normal, opaqueAlbedoAt(inside, normal), n);
 }
 
 bool onEnd(inout Path path, inout Load load) {
@@ -211,11 +221,12 @@ void main() {
     if (any(greaterThanEqual(pixel, size))) return;
     int at = pixel.y * params.picture.x + pixel.x;
     pixel.y += params.picture.z;
+    pixelNow = pixel;
 
     CameraRay camera = cameraRayOf(pixel);
     Path path = pathFrom(camera.start, camera.direction, params.limits.x);
-    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, camera.start,
-                     camera.start);
+    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, vec3(0.0),
+                     camera.start, camera.start);
     float n = params.medium.x; // at the eye
     if (resumes) { // branches of a ray at rest
         int from = firstOfHalf(params.limits.w) + at;
@@ -232,8 +243,7 @@ void main() {
         path.ray.w *= entry;
         if (isOpaque(region)) { // cut open by the domain's face
             path.status = kStopped;
-            load.light = reflectedLight(camera.start, faceNormal(camera.start),
-                                        scene.regions[region].albedo.xyz) / (n * n);
+            land(path, load, camera.start, faceNormal(camera.start), scene.regions[region].albedo.xyz, n);
         }
         count(kRays, 1u);
     } else {
@@ -263,7 +273,8 @@ void main() {
         found.direction = vec4(direction, first.lengths.y);
         found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps));
         float atExit = camera.hits ? indexOf(regionOf(first.objects), first.ray.x) : 1.0;
-        found.error = vec4(abs(length(first.ray.w) - atExit), camera.hits ? 0.0 : 1.0, 0.0, 0.0);
+        vec2 outward = stopped ? octahedralOf(load.outward) : vec2(0.0);
+        found.error = vec4(abs(length(first.ray.w) - atExit), stopped ? 1.0 : 0.0, outward);
         paths[at] = found;
     }
 }

@@ -29,6 +29,7 @@ std::vector<Owned> viewBindings() {
             // What light falls on a surface is looked up there.
             {"opaque surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer},
                                   {kOpacityUnit, kIrradianceUnit})},
+            {"points", of({}, {}, {kPointPlacesUnit, kPointLightsUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
 
@@ -45,6 +46,7 @@ std::vector<Owned> sharpViewBindings() {
             {"many objects", of({}, {}, {kSetsUnit})},
             {"opaque object",
              of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer}, {kIrradianceUnit})},
+            {"points", of({}, {}, {kPointPlacesUnit, kPointLightsUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
 

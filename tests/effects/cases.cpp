@@ -284,6 +284,15 @@ template<typename Make> void addTracing(std::vector<Case>& cases, const Make& ma
     add("adaptive, cubic", Integrator::adaptive, Interpolation::cubic);
 }
 
+/// Light for every pixel, as if each showed a point.
+view::Params withPoints(view::Params params) {
+    const int width = params.camera.width, rows = params.camera.rows;
+    const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(rows);
+    params.points = {width, rows, std::vector<dvec3>(pixels), std::vector<bool>(pixels, true),
+                     std::vector<glm::vec3>(pixels, glm::vec3(1))};
+    return params;
+}
+
 std::vector<Case> viewCases(const Scale& scale) {
     const view::Params params = viewParams(scale);
     std::vector<Case> cases;
@@ -304,6 +313,9 @@ std::vector<Case> viewCases(const Scale& scale) {
     cases.push_back(viewCase("environment map", {"refraction", "environment map"},
                              volumeOf(scale, true, {}), params, mapOfStripes()));
     add("opaque surface", {"opaque surface"}, addSurface);
+    cases.push_back(viewCase("opaque surface, light of points",
+                             {"refraction", "opaque surface", "points"},
+                             volumeOf(scale, true, addSurface), withPoints(params)));
     view::Params withAovs = params;
     withAovs.aovs = view::allAovs();
     cases.push_back(
@@ -335,6 +347,9 @@ std::vector<Case> sharpViewCases(const Scale& scale) {
         viewCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
     cases.push_back(viewCase("a second object, opaque", {"several objects", "opaque object"},
                              glassBeside(scale, opaqueOther), params));
+    cases.push_back(viewCase("a second object, light of points",
+                             {"several objects", "opaque object", "points"},
+                             glassBeside(scale, opaqueOther), withPoints(params)));
     cases.push_back(viewCase("eight objects", {"several objects", "many objects"},
                              glassInCrowd(scale), params));
     view::Params deeper = params;

@@ -253,6 +253,43 @@ test_progress() {
     rm out.vdb
 }
 
+test_points() {
+    local picture="--eye 0,0,5 --target 0,0,0 --fov 30 --size 16x12"
+    make_volume floor.vdb size=16 voxel=0.1 ior constant:1 opacity sphere:0.5:1:0 albedo constant:0.5
+    render floor.vdb $picture -o points.exr --aov position,normal --quiet
+    expect 0 lightsim floor.vdb $sun --light directional:0,0,-1 --at points.exr -o light.exr --lights-apart
+    oiiotool --info -v light.exr >info || fail "oiiotool does not read it"
+    local layer
+    for layer in irradiance.R irradiance_direction.X irradiance_1.G irradiance_2.B \
+        irradiance_direction_2.Z position.X normal.Z 'eikonal:tool: "lightsim"'; do
+        grep -q "$layer" info || fail "no $layer: $(cat info)"
+    done
+    expect 0 lightsim floor.vdb $sun --at points.exr -o again.exr
+    expect 0 lightsim floor.vdb $sun --at points.exr -o again2.exr
+    idiff -q -fail 0 again.exr again2.exr >info || fail "two runs differ"
+    refuses 64 floor.vdb $sun --at points.exr -o out.vdb
+    says '.exr with --at'
+    refuses 64 floor.vdb $sun --at points.exr -o out.exr --outputs irradiance
+    says '--outputs'
+    refuses 64 floor.vdb $sun -o out.vdb --lights-apart
+    says '--at'
+    refuses 64 floor.vdb $sun --at points.exr -o points.exr
+    refuses 66 floor.vdb $sun --at nothing.exr -o out.exr
+    refuses 65 floor.vdb $sun --at floor.vdb -o out.exr
+    oiiotool points.exr --ch R,G,B,position.X,position.Y,position.Z -o half.exr
+    refuses 65 floor.vdb $sun --at half.exr -o out.exr
+    says "no channel 'normal.X'"
+    oiiotool points.exr --mulc 1e30 --mulc 1e30 -o far.exr
+    refuses 65 floor.vdb $sun --at far.exr -o out.exr
+    says "channel 'position.* is not a finite number in pixel"
+    # Points of nothing get no light, and the run says so.
+    oiiotool points.exr --mulc 0 -o none.exr
+    expect 0 lightsim floor.vdb $sun --at none.exr -o out.exr
+    says 'no point of none.exr'
+    oiiotool out.exr --ch irradiance.R --printstats | grep -q 'Stats Max: 0.0' || fail "it has light"
+    rm -f *.exr info floor.vdb
+}
+
 test_pipes_and_repeats() {
     local threads
     for threads in 1 2; do

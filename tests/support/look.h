@@ -53,6 +53,8 @@ struct Look {
     }
     glm::dvec3 place(int x = 0, int y = 0) const { return vector("exit_position", x, y); }
     glm::dvec3 direction(int x = 0, int y = 0) const { return vector("exit_direction", x, y); }
+    glm::dvec3 position(int x, int y) const { return vector("position", x, y); }
+    glm::dvec3 normal(int x, int y) const { return vector("normal", x, y); }
     double counter(const std::string& name) const {
         for (const auto& [known, value] : stats.counters)
             if (known == name) return value;

@@ -293,7 +293,7 @@ test_header_and_channels() {
     for text in '16 x *12, 2[0-9] channel, float openexr' 'eikonal:tool: "render"' \
         '^render in.vdb .*--aov all' worldtocamera: worldtoNDC: 'chromaticities: 0.64, 0.33' \
         'exit_position.X' 'exit_direction.Z' 'transmittance.G' ' optical_path_length.V' \
-        ' path_length.V' ' steps.V' ' Z[ ,(]' ' error.V' 'AR, AG, AB\|AB'; do
+        'position.Y' 'normal.Z' ' path_length.V' ' steps.V' ' Z[ ,(]' ' error.V' 'AR, AG, AB\|AB'; do
         grep -qi -e "$text" info || fail "'$text' is not in the header: $(cat info)"
     done
     grep -qi 'datetime\|capdate' info && fail "the header holds a date"
@@ -301,6 +301,29 @@ test_header_and_channels() {
     oiiotool --info -v out.exr >info
     grep -q 'exit_position' info && fail "a picture not asked for was written"
     rm out.exr
+}
+
+test_light_of_points() {
+    make_volume floor.vdb size=16 voxel=0.1 ior constant:1 opacity sphere:0.5:1:0 albedo constant:0.5
+    expect 0 render floor.vdb $view -o points.exr --aov position,normal
+    says 'warning: .*run lightsim first'
+    expect 0 lightsim floor.vdb --light directional:0,0,-1 --at points.exr -o light.exr
+    expect 0 render floor.vdb $view -o out.exr --light light.exr
+    [ ! -s stderr ] || fail "it warns, though it has light"
+    # The middle looks along the light at a ball of albedo 1/2, of five voxels: about 1/2π = 0.159.
+    oiiotool out.exr --cut 1x1+8+6 --printstats | grep -q 'Stats Avg: 0.1[3-9]' ||
+        fail "out.exr: $(oiiotool out.exr --cut 1x1+8+6 --printstats)"
+    rm out.exr
+    refuses 65 floor.vdb $aim --fov 30 --size 12x16 -o out.exr --light light.exr
+    says '16x12 pixels, expected --size 12x16'
+    refuses 65 floor.vdb $view -o out.exr --light points.exr
+    says "no channel 'irradiance.R'"
+    oiiotool light.exr --mulc -1 -o dark.exr
+    refuses 65 floor.vdb $view -o out.exr --light dark.exr
+    says "channel 'irradiance.R' holds -.*expected 0 or more"
+    refuses 65 floor.vdb $view -o out.exr --light floor.vdb
+    refuses 66 floor.vdb $view -o out.exr --light nothing.exr
+    rm -f points.exr light.exr dark.exr floor.vdb
 }
 
 test_several_outputs() {

@@ -7,6 +7,7 @@
 #include "mesh/check.h"
 #include "mesh/read.h"
 #include "mesh/smooth_surface.h"
+#include "picture_points.h"
 #include "scene/effects.h"
 #include "scene/surface_voxels.h"
 
@@ -17,7 +18,7 @@ using namespace eikonal;
 namespace {
 
 struct Options {
-    std::string input, method = "auto", outputs = "auto", detail = "auto", proxy, octree;
+    std::string input, method = "auto", outputs = "auto", detail = "auto", proxy, octree, points;
     std::vector<std::string> lights;
     volume::GridNames names;
     lightsim::Params params;
@@ -56,6 +57,15 @@ void addOptions(tool::Session& session, Options& o) {
                    "up to 8, some two millions in all")
         ->type_name("K")
         ->capture_default_str();
+    auto* at = app.add_option(
+                      "--at", o.points,
+                      "light for the points of a picture: its layers position and normal, as "
+                      "render --aov writes them; the output is an .exr with the layers irradiance, "
+                      "irradiance_direction")
+                   ->type_name("POINTS.exr");
+    app.add_flag("--lights-apart", p.lightsApart,
+                 "with --at: beside the sum each light's own layers, irradiance_1 and so on")
+        ->needs(at);
     app.add_option("--beam-error", p.beamError,
                    "how far off what is inside a beam may be, about [fine voxel]")
         ->type_name("E")
@@ -167,6 +177,32 @@ void writeOctree(tool::Session& session, const Options& o, const volume::Volume&
     out.write(session.extraOutput(o.octree), session.history());
 }
 
+/// What fell on a picture's points, as a picture.
+void writeLight(tool::Session& session, const Options& o, const volume::Volume& volume,
+                const image::Image& points, const lightsim::Result& result) {
+    const History history = session.history();
+    image::ImageAttributes attributes;
+    attributes.strings = {
+        {"eikonal:tool", history.tool},
+        {"eikonal:version", history.version},
+        {"eikonal:command", appendHistory(volume.metadata("eikonal:command"), history.command)}};
+    const image::Image light = picture_points::lightOf(points, result.points);
+    session.pass("write", [&] {
+        image::writeExr(light, attributes, *session.outputs().at(0), session.threads());
+    });
+}
+
+/// --at stands beside options that it leaves no meaning, and its output is a picture.
+void checkPoints(tool::Session& session, const Options& o) {
+    if (!o.params.automaticOutputs)
+        throw UsageError(
+            "--outputs: given with --at, which writes irradiance; expected one of them");
+    const std::string& path = session.outputPaths().at(0);
+    if (!writtenInPlace(path) && !path.ends_with(".exr") && !path.ends_with(".EXR"))
+        throw UsageError("--output: found '" + path +
+                         "', expected a name ending in .exr with --at");
+}
+
 void simulate(tool::Session& session, Options& o) {
     for (const std::string& spec : o.lights) o.params.lights.push_back(lightsim::parseLight(spec));
     o.params.method = lightsim::parseMethod(o.method);
@@ -178,15 +214,21 @@ void simulate(tool::Session& session, Options& o) {
     if (session.app().count("--octree-tolerance2") == 0)
         o.params.octreeTolerance2 = std::max(o.params.octreeTolerance2, o.params.octreeTolerance);
     o.params.check();
-    session.guardInputs({o.input, o.proxy}, {o.octree});
+    session.guardInputs({o.input, o.proxy, o.points}, {o.octree});
+    if (!o.points.empty()) checkPoints(session, o);
     std::optional<mesh::TriangleMesh> proxy;
     if (!o.proxy.empty()) proxy = readProxy(o.proxy);
 
     std::optional<volume::Volume> volume;
     std::optional<lightsim::Plan> plan;
+    image::Image points;
     session.pass("read", [&] {
         volume.emplace(volume::Volume::open(o.input, o.names));
         if (proxy) o.params.proxy = curvedProxy(*proxy, volume->frame().voxelSize, o);
+        if (!o.points.empty()) {
+            points = picture_points::read(o.points);
+            o.params.points = picture_points::pointsOf(points);
+        }
         plan = lightsim::makePlan(*volume, o.params);
     });
     if (session.explains()) {
@@ -201,29 +243,34 @@ void simulate(tool::Session& session, Options& o) {
     for (const std::string& warning : plan->warnings) session.warn(warning);
     AtomicFile& out = *session.outputs().at(0);
     if (!o.octree.empty()) writeOctree(session, o, *volume, *plan);
+    lightsim::Result result;
     if (plan->outputs == lightsim::Output::none) {
-        session.note("nothing in " + volume->path() +
-                     " scatters or receives light: nothing to simulate");
+        session.note(o.points.empty() ? "nothing in " + volume->path() +
+                                            " scatters or receives light: nothing to simulate"
+                                      : "no point of " + o.points + " is on an opaque surface of " +
+                                            volume->path() + ": nothing to simulate");
     } else {
-        lightsim::Result result = lightsim::simulate(session.device(), *plan, o.params,
-                                                     session.stats(), session.progress());
+        result = lightsim::simulate(session.device(), *plan, o.params, session.stats(),
+                                    session.progress());
         o.tracing->warnOf(session, "photons");
         tool::warnOfDropped(session, {{"light_dropped_by_depth", "--max-depth"},
                                       {"light_dropped_by_steps", "--max-steps"},
                                       {"light_dropped_by_thinning", "--thin-to"},
                                       {"light_dropped_as_dim", "--drop-below"}});
-        session.pass("grids", [&] {
-            volume::PutOptions options;
-            options.vectorType = "color";
-            if (plan->wants(lightsim::Output::fluence))
-                volume->put("fluence", volume->domain(), result.fluence, options);
-            options.vectorType = "vector";
-            if (plan->wants(lightsim::Output::direction))
-                volume->put("light_direction", volume->domain(), result.direction, options);
-            if (!result.irradiance.empty())
-                volume->putFine("irradiance", volume->domain(), result.irradiance);
-        });
+        if (o.points.empty())
+            session.pass("grids", [&] {
+                volume::PutOptions options;
+                options.vectorType = "color";
+                if (plan->wants(lightsim::Output::fluence))
+                    volume->put("fluence", volume->domain(), result.fluence, options);
+                options.vectorType = "vector";
+                if (plan->wants(lightsim::Output::direction))
+                    volume->put("light_direction", volume->domain(), result.direction, options);
+                if (!result.irradiance.empty())
+                    volume->putFine("irradiance", volume->domain(), result.irradiance);
+            });
     }
+    if (!o.points.empty()) return writeLight(session, o, *volume, points, result);
     session.pass("write", [&] { volume->write(out, session.history()); });
 }
 

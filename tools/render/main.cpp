@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> inputs;
-    std::string size, environment, aovs, tone = "clip";
+    std::string size, environment, aovs, light, tone = "clip";
     volume::GridNames names;
     view::Params params;
     std::optional<tool::TracingOptions> tracing;
@@ -83,9 +83,10 @@ void addOptions(CLI::App& app, Options& o) {
         ->type_name("N")
         ->capture_default_str()
         ->group("Picture");
-    app.add_option("--cutoff", p.cutoff,
-                   "share of a ray's light below which a reflection is not followed: what is refracted "
-                   "takes it along")
+    app.add_option(
+           "--cutoff", p.cutoff,
+           "share of a ray's light below which a reflection is not followed: what is refracted "
+           "takes it along")
         ->type_name("SHARE")
         ->capture_default_str()
         ->group("Tracing");
@@ -97,6 +98,11 @@ void addOptions(CLI::App& app, Options& o) {
                    "pictures beside the colour, a list of " + join(view::allAovs(), ", ") +
                        "; or all")
         ->type_name("NAME,...")
+        ->group("Picture");
+    app.add_option("--light", o.light,
+                   "what lightsim --at wrote for this very picture: the light where a ray's first "
+                   "branch ends on an opaque surface")
+        ->type_name("LIGHT.exr")
         ->group("Picture");
     app.add_option("--exposure", o.toneMap.exposure, "of a .png, .jpg or .tga output [stop]")
         ->type_name("STOPS")
@@ -155,6 +161,33 @@ void checkOutput(const std::string& path) {
                          ".jpg or .tga");
 }
 
+/// What lightsim --at wrote. Throws DataError where it is no light for a picture of this size.
+view::PointLights readPoints(const std::string& path, const view::Camera& camera) {
+    const image::Image picture = image::readExrChannels(
+        path, {"irradiance.R", "irradiance.G", "irradiance.B", "position.X", "position.Y",
+               "position.Z", "normal.X", "normal.Y", "normal.Z"});
+    const auto sizeText = [](int width, int rows) {
+        return std::to_string(width) + "x" + std::to_string(rows);
+    };
+    if (picture.width != camera.width || picture.height != camera.rows)
+        throw DataError(path + ": is of " + sizeText(picture.width, picture.height) +
+                        " pixels, expected --size " + sizeText(camera.width, camera.rows));
+    for (size_t c = 0; c < picture.channels.size(); ++c)
+        for (const float value : picture.plane(c))
+            if (!std::isfinite(value) || (c < 3 && value < 0))
+                throw DataError(path + ": channel '" + picture.channels[c] + "' holds " +
+                                toText(value) +
+                                (c < 3 ? ", expected 0 or more" : ", expected a finite number"));
+    view::PointLights points{picture.width, picture.height, {}, {}, {}};
+    for (size_t i = 0; i < picture.area(); ++i) {
+        const auto at = [&](size_t channel) { return picture.plane(channel)[i]; };
+        points.lights.emplace_back(at(0), at(1), at(2));
+        points.places.emplace_back(at(3), at(4), at(5));
+        points.isPoint.push_back(at(6) != 0 || at(7) != 0 || at(8) != 0);
+    }
+    return points;
+}
+
 void render(tool::Session& session, Options& o) {
     parseTexts(o);
     o.params.camera.parallel = session.app().count("--ortho") > 0;
@@ -162,10 +195,11 @@ void render(tool::Session& session, Options& o) {
     std::vector<std::string> inputs = o.inputs;
     const image::PictureName environment = image::parsePictureName(o.environment);
     if (!o.environment.empty()) inputs.push_back(environment.path);
+    if (!o.light.empty()) inputs.push_back(o.light);
     session.guardInputs(inputs);
     for (const std::string& path : session.outputPaths()) checkOutput(path);
     // Colour, the rays' paths and every AOV are held until the picture is whole.
-    const size_t kFloats = 4 + 16 + 24;
+    const size_t kFloats = 4 + 16 + 24 + 6;
     image::checkSize(o.params.camera.width, o.params.camera.rows, kFloats, "--size " + o.size);
 
     std::optional<scene::Files> files;
@@ -180,6 +214,7 @@ void render(tool::Session& session, Options& o) {
             for (const std::string& warning : read.warnings) session.warn(warning);
             map = std::move(read.map);
         }
+        if (!o.light.empty()) o.params.points = readPoints(o.light, o.params.camera);
         files.emplace(std::move(volumes));
         plan = view::makePlan(*files, o.params, map.has_value());
     });
