@@ -34,11 +34,18 @@ constexpr int kWidest = 96;
 // What --photons asks for, per cell of the coarsest level: a beam does the work of so many.
 constexpr std::int64_t kPhotonsPerCell = 64;
 
+// Most cells of the coarsest level that --photons auto takes; it takes one a voxel.
+constexpr std::int64_t kMostCells = 1 << 16;
+
 // Most interfaces of a kind of path: its ways are bits of a word.
 constexpr int kMostWays = 31;
 
 constexpr std::int64_t kNodeBytes = sizeof(BeamNode);
 constexpr std::int64_t kPointBytes = sizeof(BeamPoint);
+
+std::int64_t cellsOf(const Params& params) {
+    return params.photons > 0 ? std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1) : 0;
+}
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
@@ -90,7 +97,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mBooks(device, std::int64_t{kBooks} * kBookSlots * 3 * 4), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mCells(std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1)), mSeed(params.seed),
+      mCells(cellsOf(params)), mSeed(params.seed),
       mManyObjects(scene::areMany(plan.scene.objects)) {
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
@@ -100,7 +107,8 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
 }
 
 std::vector<Window> Beams::windowsOf(const Light& light) const {
-    return lightsim::windowsOf(light, mDomain, mDomain, mCells, glm::dvec2(0), false);
+    return lightsim::windowsOf(light, mDomain, mDomain, {mCells, 1, kMostCells}, glm::dvec2(0),
+                               false);
 }
 
 std::vector<Beams::Batch> Beams::batchesOf(const Window& window) {
@@ -310,8 +318,9 @@ void Beams::begin(const glm::dvec3& colour) {
 }
 
 std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
-    const std::int64_t cells = std::min<std::int64_t>(
-        std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1), kBatchCells * kBatchCells);
+    const std::int64_t wanted = cellsOf(params);
+    const std::int64_t cells =
+        std::min<std::int64_t>(wanted > 0 ? wanted : kMostCells, kBatchCells * kBatchCells);
     const std::int64_t point =
         kPointBytes + 8 + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     // Of one kind of path, with those of cells that are split.

@@ -57,7 +57,7 @@ private:
     gpu::Buffer mBlock, mCounts, mBooks;
     BeamParams mParams{};
     VoxelBox mDomain;
-    std::int64_t mCells;
+    std::int64_t mCells; ///< of the coarsest level; 0: as many as is worth it
     std::uint32_t mSeed;
     bool mManyObjects;
 };

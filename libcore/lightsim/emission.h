@@ -32,6 +32,7 @@ private:
     gpu::Buffer mSurface, mBlock;
     std::int64_t mCorners = 0;
     VoxelBox mDomain, mTarget;
+    int mReceivers; ///< that receive light, along an edge of a voxel
     std::uint32_t mSeed = 0;
     bool mManyObjects; ///< more than a photon's own bits tell
 };

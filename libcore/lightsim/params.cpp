@@ -35,7 +35,7 @@ std::int64_t photonCount(double number) {
 
 void Params::check() const {
     if (lights.empty()) throw UsageError("--light: none given, expected at least one");
-    photonCount(static_cast<double>(photons));
+    if (photons != 0) photonCount(static_cast<double>(photons));
     tracing.check("--tolerance");
     require(octreeTolerance >= 0, "--octree-tolerance", octreeTolerance, "0 or more");
     require(octreeTolerance2 >= octreeTolerance, "--octree-tolerance2", octreeTolerance2,

@@ -50,7 +50,7 @@ struct Params {
     Method method = Method::automatic;
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
     std::vector<Light> lights;
-    std::int64_t photons = 1 << 20; ///< pixels of each light's photon map
+    std::int64_t photons = 0;       ///< pixels of each light's photon map; 0: by the voxels
     double octreeTolerance = 0.005; ///< ε: index range within which a leaf counts as constant [1]
     double octreeTolerance2 = 0.02; ///< ε': range within which a leaf limits the step [1]
     double stepLimit = 8;           ///< longest step in such a leaf [voxel]

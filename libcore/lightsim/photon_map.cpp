@@ -94,15 +94,24 @@ void layPixels(Window& window, const Bounds& bounds, const dvec2& pixel, const d
     window.low = dvec2(bounds.low) - shift * pixel;
 }
 
-std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target, std::int64_t photons,
-                                   const dvec2& shift) {
+/// Edge of a pixel of a map of that area, if one of edge 1 voxel there were `voxel`.
+double pixelOf(const MapDetail& detail, double area, double voxel) {
+    const double edge = detail.edge * voxel;
+    const double wanted = detail.pixels > 0
+                              ? static_cast<double>(detail.pixels)
+                              : std::min(area / (edge * edge), static_cast<double>(detail.most));
+    return std::sqrt(area / wanted);
+}
+
+std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target,
+                                   const MapDetail& detail, const dvec2& shift) {
     Window window;
     const dvec3 forward = glm::normalize(light.vector);
     aim(window, forward, referenceFor(forward));
     Bounds bounds;
     for (const dvec3& corner : cornersOf(target)) bounds.include(inView(window, corner));
     const dvec3 extent = bounds.high - bounds.low;
-    const double pixel = std::sqrt(extent.x * extent.y / static_cast<double>(photons));
+    const double pixel = pixelOf(detail, extent.x * extent.y, 1);
     // Along an axis of the voxels a whole number of photons crosses each of them: 10 and 11 by
     // turns would show as bands.
     const auto edgeAlong = [pixel](const dvec3& side) {
@@ -118,7 +127,7 @@ std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target, s
 }
 
 std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, const VoxelBox& domain,
-                                std::int64_t photons, bool hasProxy) {
+                                const MapDetail& detail, bool hasProxy) {
     const dvec3 centre = 0.5 * (target.low + target.high);
     const double size = glm::length(target.high - target.low);
     Window front;
@@ -151,7 +160,8 @@ std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, cons
         bounds.push_back(seen);
         area += (seen.high.x - seen.low.x) * (seen.high.y - seen.low.y);
     }
-    const double pixel = std::sqrt(area / static_cast<double>(photons));
+    // From within, the target is about a quarter of its diagonal away.
+    const double pixel = pixelOf(detail, area, 1 / std::max(distance, 0.25 * size));
     for (size_t i = 0; i < windows.size(); ++i) {
         // Whole pixels and no shift: across a seam of the cube every direction is covered once.
         windows[i].low = dvec2(bounds[i].low);
@@ -204,10 +214,10 @@ glm::dmat4 Window::clipFromVoxel() const {
 }
 
 std::vector<Window> windowsOf(const Light& light, const VoxelBox& target, const VoxelBox& domain,
-                              std::int64_t photons, const dvec2& shift, bool hasProxy) {
+                              const MapDetail& detail, const dvec2& shift, bool hasProxy) {
     return light.kind == Light::Kind::directional
-               ? parallelWindow(light, target, photons, shift)
-               : cubeWindows(light, target, domain, photons, hasProxy);
+               ? parallelWindow(light, target, detail, shift)
+               : cubeWindows(light, target, domain, detail, hasProxy);
 }
 
 } // namespace eikonal::lightsim

@@ -34,10 +34,18 @@ struct Window {
     glm::dmat4 clipFromVoxel() const;
 };
 
-/// The windows through which `light` (in voxel space) sees `target`, with about `photons` pixels in
-/// all. A directional light's map is shifted by `shift` pixels in [0, 1)². The domain tells whether
-/// the light stands inside.
+/// How finely a map is cut: so many pixels in all, or, if 0, by what a pixel covers where the
+/// target is.
+struct MapDetail {
+    std::int64_t pixels = 0;
+    double edge = 1;             ///< of what a pixel covers [voxel]
+    std::int64_t most = 1 << 24; ///< pixels by that
+};
+
+/// The windows through which `light` (in voxel space) sees `target`, by pixels of that detail. A
+/// directional light's map is shifted by `shift` pixels in [0, 1)². The domain tells whether the
+/// light stands inside.
 std::vector<Window> windowsOf(const Light& light, const VoxelBox& target, const VoxelBox& domain,
-                              std::int64_t photons, const glm::dvec2& shift, bool hasProxy);
+                              const MapDetail& detail, const glm::dvec2& shift, bool hasProxy);
 
 } // namespace eikonal::lightsim

@@ -160,7 +160,8 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
         needs.push_back(
             scene::voxelNeed(plan.scene.layout, "the coefficients", plan.colour ? 32 : 8));
     if (!plan.photons) return needs;
-    const std::int64_t pixels = std::min<std::int64_t>(params.photons, kBatchPixels);
+    const std::int64_t pixels =
+        params.photons > 0 ? std::min<std::int64_t>(params.photons, kBatchPixels) : kBatchPixels;
     const std::int64_t photon =
         kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     needs.push_back({"the photons", pixels * photon, true, 0});

@@ -261,3 +261,42 @@ TEST(LightRun, LightsAreReadAsTheyAreWritten) {
     EXPECT_EQ(bulb.rgb, dvec3(1));
     EXPECT_EQ(parseLight("point:0,0,0:7").rgb, dvec3(7));
 }
+
+TEST(LightRun, AutomaticPhotonsAreSoManyAVoxel) {
+    // Across the light, a cube of 24 voxels is an area of 24² or, seen along its diagonal, √3 as
+    // much.
+    const TestVolume scene = glassBall(24);
+    Params params = paramsOf({beam({0, 0, 1})});
+    params.photons = 0;
+    EXPECT_NEAR(Lit(scene.volume(), params).counter("photons"), 36 * 24 * 24, 36 * 4 * 24);
+    params.lights = {beam({1, 1, 1})};
+    EXPECT_NEAR(Lit(scene.volume(), params).counter("photons"), 36 * std::sqrt(3) * 24 * 24,
+                36 * 4 * 24);
+    // A lamp four edges off sees a face and a little of what is behind it.
+    params.lights = {lamp({12, 12, 120})};
+    EXPECT_NEAR(Lit(scene.volume(), params).counter("photons"), 36 * 24 * 24, 36 * 8 * 24);
+}
+
+TEST(LightRun, AutomaticPhotonsAreEnough) {
+    const int size = 32;
+    TestVolume scene{ivec3(size)};
+    scene.add(
+        "sdf", [=](dvec3 p) { return glm::length(p - 0.5 * size) - 0.3 * size; }, 1e3);
+    scene.constant("ior", 1.5);
+    scene.constant("scattering", 0.05 / size);
+    scene.add("scattering.medium", [=](dvec3) { return 0.05 / size; });
+    Params params = paramsOf({beam({0.3, -1, 0.2})});
+    params.outputs = Output::fluence;
+    params.smoothing = 1;
+    params.photons = 0;
+    const Lit found(scene.volume(), params);
+    params.photons = std::int64_t{1024} * size * size;
+    params.seed = 3;
+    const Lit wanted(scene.volume(), params);
+    double off = 0, sum = 0;
+    forEachVoxel(ivec3(size), [&](ivec3 p) {
+        off += std::abs(found.fluence(p) - wanted.fluence(p));
+        sum += wanted.fluence(p);
+    });
+    EXPECT_LT(off / sum, 0.005);
+}

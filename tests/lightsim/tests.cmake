@@ -2,7 +2,7 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
              lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/run_test.cpp
              lightsim/sharp_test.cpp lightsim/surfaces_test.cpp lightsim/points_test.cpp
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
-                                          "LightRun.BatchesChange*" "LightReceivingLong.*"
+                                          "LightRun.BatchesChange*" "LightRun.AutomaticPhotonsAreEnough" "LightReceivingLong.*"
                                           "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*"
                                           "LightSharp.ABallGathers*" "LightMedium.SmoothingKeeps*")
 

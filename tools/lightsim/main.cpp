@@ -18,7 +18,8 @@ using namespace eikonal;
 namespace {
 
 struct Options {
-    std::string input, method = "auto", outputs = "auto", detail = "auto", proxy, octree, points;
+    std::string input, method = "auto", outputs = "auto", detail = "auto", photons = "auto", proxy,
+                       octree, points;
     std::vector<std::string> lights;
     volume::GridNames names;
     lightsim::Params params;
@@ -47,11 +48,11 @@ void addOptions(tool::Session& session, Options& o) {
                    "fluence,light_direction,irradiance")
         ->type_name("LIST")
         ->capture_default_str();
-    app.add_option_function<double>(
-           "--photons", [&p](double n) { p.photons = lightsim::photonCount(n); },
-           "pixels of each light's photon map")
+    app.add_option("--photons", o.photons,
+                   "pixels of each light's photon map; auto: thirty-six, and a cell of beams, a "
+                   "voxel of what the light sees")
         ->type_name("N")
-        ->default_str(std::to_string(p.photons));
+        ->capture_default_str();
     app.add_option("--surface-detail", o.detail,
                    "fine voxels along an edge of a voxel, by which surfaces receive light; auto: "
                    "up to 8, some two millions in all")
@@ -139,6 +140,13 @@ int parseDetail(const std::string& text) {
     return detail;
 }
 
+std::int64_t parsePhotons(const std::string& text) {
+    const auto number = parseNumbers(text, ',');
+    if (!number || number->size() != 1)
+        throw UsageError("--photons: found '" + text + "', expected auto or a whole number");
+    return lightsim::photonCount((*number)[0]);
+}
+
 /// The proxy. Photons start where light first meets it, so it must be closed and outward.
 mesh::TriangleMesh readProxy(const std::string& path) {
     const mesh::TriangleMesh mesh = mesh::readMesh(path);
@@ -206,6 +214,7 @@ void checkPoints(tool::Session& session, const Options& o) {
 void simulate(tool::Session& session, Options& o) {
     for (const std::string& spec : o.lights) o.params.lights.push_back(lightsim::parseLight(spec));
     o.params.method = lightsim::parseMethod(o.method);
+    if (o.photons != "auto") o.params.photons = parsePhotons(o.photons);
     if (o.detail != "auto") o.params.surfaceDetail = parseDetail(o.detail);
     o.params.automaticOutputs = o.outputs == "auto";
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
@@ -235,7 +244,8 @@ void simulate(tool::Session& session, Options& o) {
         session.explain(plan->effects, plan->warnings,
                         {{"voxels", scene::sizeText(plan->scene)},
                          {"lights", std::to_string(o.params.lights.size())},
-                         {"photons", std::to_string(o.params.photons) + " per light at most"},
+                         {"photons", o.photons == "auto" ? "auto: 36 a voxel that the light sees"
+                                                         : o.photons + " per light at most"},
                          {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
         return;
     }
