@@ -16,8 +16,7 @@ using glm::dvec3;
 using glm::ivec2;
 
 // A cell of the coarsest level is split so often at most.
-constexpr int kLevels = 4;
-constexpr int kCoarsest = 2 << kLevels; // its edge [finest cell]
+constexpr int kLevels = kMostBeamLevels;
 
 // Cells along an edge of a batch: its points take some tens of MB with those of split cells.
 constexpr int kBatchCells = 256;
@@ -81,14 +80,15 @@ struct Beams::Run {
     const gpu::Texture& leaves;
     const SurfaceReceiver& surfaces;
     gpu::Profiler& profiler;
-    double deposits = 0, missed = 0, beams = 0, points = 0, kinds = 0;
+    double deposits = 0, missed = 0, beams = 0, points = 0, kinds = 0, culled = 0;
     bool nearFull = false;
 };
 
 Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     : mGrid(device, "lightsim/beam_grid.comp.glsl", {}),
       mTrace(device, "lightsim/beam_trace.comp.glsl", switchesOf(plan, params)),
-      mSort(device, "lightsim/beam_sort.comp.glsl", {{"CHANNELS", plan.tracedChannels()}}),
+      mSort(device, "lightsim/beam_sort.comp.glsl",
+            {{"CHANNELS", plan.tracedChannels()}, {"CULLS", !plan.points.empty()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
       mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
       mDeposit(device, "lightsim/beam_deposit.comp.glsl",
@@ -103,7 +103,8 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     mParams.size = ivec4(plan.scene.size(), detail);
     mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
     mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays));
-    mParams.levels = ivec4(kCoarsest, 0, 0, kWidest);
+    mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
+    mParams.right.w = static_cast<float>(params.shadowCull);
 }
 
 std::vector<Window> Beams::windowsOf(const Light& light) const {
@@ -177,6 +178,7 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     kind.marks.bindStorage(kWaysBuffer);
     kind.wanted.bindStorage(kWantedBuffer);
     kind.slots.bindStorage(kSlotsBuffer);
+    run.surfaces.bindReceiving();
     nodes.list.bindStorage(kNodesBuffer);
     beams.bindStorage(kBeamsBuffer);
     splits.bindStorage(kSplitsBuffer);
@@ -187,6 +189,7 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     dispatchList(mSort, nodes.count);
     mCounts.download(counts.data(), mCounts.bytes());
     run.profiler.end();
+    run.culled += counts[kCulledCount];
     kind.wantedCount = counts[kWantedCount];
     kind.nextWays |= counts[kNextWays];
     next.count = counts[kNextCount];
@@ -272,12 +275,13 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     mParams.levels.y = batch.cells.x;
     mParams.levels.z = batch.cells.y;
     mParams.window = vec4(window.low, window.extent);
-    mParams.right = vec4(window.right, 0);
+    mParams.right = vec4(window.right, mParams.right.w);
     mParams.up = vec4(window.up, 0);
     mParams.forward = vec4(window.forward, window.point ? 1 : 0);
     mParams.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
     const glm::dvec2 cell = 1.0 / glm::dvec2(window.pixels);
-    mParams.batch = vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(kCoarsest));
+    mParams.batch =
+        vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(mParams.levels.x));
     const double away = window.point ? std::max(0.5 * (window.near + window.far), 1.0) : 1.0;
     mParams.map.x = static_cast<float>(window.pixelArea() * away * away);
     mBooks.clear();
@@ -309,6 +313,7 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     stats.count("beam_points", run.points);
     stats.count("beam_kinds", run.kinds);
     stats.count("beam_deposits", run.deposits);
+    if (run.culled > 0) stats.count("beams_culled", run.culled);
     if (run.missed > 0) stats.count("beam_deposits_missed", run.missed);
     return true;
 }

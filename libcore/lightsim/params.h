@@ -46,6 +46,9 @@ struct PointOnSurface {
     glm::vec3 normal{0}; ///< of length 1; 0: no point
 };
 
+/// How often a cell of a light's map is split at most.
+constexpr int kMostBeamLevels = 4;
+
 struct Params {
     Method method = Method::automatic;
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
@@ -57,12 +60,14 @@ struct Params {
     double stepMin = 1;             ///< shortest step [voxel]
     int surfaceDetail = 0;      ///< fine voxels along an edge of a voxel; 0: as many as is worth it
     double beamError = 1.0 / 3; ///< how far a beam's middle may be off [surface voxel]
-    double beamCutoff = 1e-3;   ///< a kind of path is not followed below this share of its light
-    int maxDepth = 32;          ///< sharp: most boundaries that a photon meets
-    int maxSteps = 1 << 16;     ///< of one photon, after which it counts as trapped
-    double dropBelow = 1e-5;    ///< a photon is dropped at this share of its first power
-    double thinTo = 0.001;      ///< tracing ends when this share of the photons is left
-    int smoothing = 1;          ///< rounds of 3×3×3 smoothing of the result
+    int beamLevels = kMostBeamLevels; ///< a cell of a light's map is split so often at most
+    double shadowCull = 1;            ///< a cell of which so much leads nowhere is not split
+    double beamCutoff = 1e-3;     ///< a kind of path is not followed below this share of its light
+    int maxDepth = 32;            ///< sharp: most boundaries that a photon meets
+    int maxSteps = 1 << 16;       ///< of one photon, after which it counts as trapped
+    double dropBelow = 1e-5;      ///< a photon is dropped at this share of its first power
+    double thinTo = 0.001;        ///< tracing ends when this share of the photons is left
+    int smoothing = 1;            ///< rounds of 3×3×3 smoothing of the result
     bool automaticOutputs = true; ///< what a render of the file needs; else `outputs`
     Output outputs = Output::both;
     std::uint32_t seed = 0;   ///< shifts the photon maps by part of a pixel

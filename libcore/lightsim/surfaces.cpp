@@ -4,6 +4,7 @@
 
 #include "lightsim/dispatch.h"
 #include "scene/block_table.h"
+#include "scene/lattice.h"
 
 #include <algorithm>
 
@@ -26,6 +27,19 @@ ivec3 rowsFor(std::int64_t count, int planes) {
 
 gpu::Buffer bufferOf(gpu::Device& device, const std::vector<std::uint32_t>& values) {
     return {device, static_cast<std::int64_t>(values.size() * 4), values.data()};
+}
+
+/// A bit for each brick of the domain that holds surface voxels, x fastest.
+std::vector<std::uint32_t> receivingBits(const scene::SurfaceVoxels& list) {
+    const ivec3 bricks = (list.size + kBrickEdge - 1) / kBrickEdge;
+    const size_t count = static_cast<size_t>(bricks.x) * bricks.y * bricks.z;
+    std::vector<std::uint32_t> bits((count + 31) / 32);
+    for (const std::uint32_t place : list.voxels) {
+        const ivec3 brick = scene::atPlace(list.size, place) / kBrickEdge;
+        const size_t at = scene::placeOf(bricks, brick.x, brick.y, brick.z);
+        bits[at / 32] |= 1u << (at % 32);
+    }
+    return bits;
 }
 
 } // namespace
@@ -67,6 +81,7 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
     mTable = scene::SurfaceTable(device, mVoxels);
     mList = bufferOf(device, mVoxels.voxels);
     mAreas = gpu::Buffer(device, mVoxels.count * 8);
+    if (mFlow) mReceiving = bufferOf(device, receivingBits(mVoxels));
     const gpu::Program measure(device, "lightsim/surface.comp.glsl", switchesOf(plan, 1));
     values.list.x = static_cast<int>(mVoxels.voxels.size());
     mBlock.upload(&values, sizeof values);
@@ -90,6 +105,10 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
 void SurfaceReceiver::bind() const {
     mTable.bind();
     mSums.bindImage(kSurfaceSumsImage);
+}
+
+void SurfaceReceiver::bindReceiving() const {
+    if (mReceiving.bytes() > 0) mReceiving.bindStorage(kReceivingBuffer);
 }
 
 void SurfaceReceiver::clearSums() {

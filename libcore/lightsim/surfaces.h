@@ -26,6 +26,8 @@ public:
 
     /// What power is added to, and the table of surface voxels.
     void bind() const;
+    /// For points: which bricks hold surface voxels at all.
+    void bindReceiving() const;
     void clearSums();
     /// Adds what the sums hold to the power, and clears them. `rgb` is the light's, `unit` of fixed
     /// point stands for `power` of it [m² or sr].
@@ -46,7 +48,7 @@ private:
     scene::SurfaceVoxels mVoxels;
     scene::SurfaceTable mTable;
     gpu::Program mCollect, mIrradiance;
-    gpu::Buffer mBlock, mList, mAreas;
+    gpu::Buffer mBlock, mList, mAreas, mReceiving;
     gpu::Texture mSums, mPower;
     std::optional<PointReader> mReader;
     int mChannels = 1, mStored = 1;

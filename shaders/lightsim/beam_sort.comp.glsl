@@ -7,11 +7,13 @@
 #include "lightsim/beam_node.glsl"
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
+#include "shared/limits.h"
 #include "transport/status.glsl"
 
-#ifndef CHANNELS
-#error CHANNELS must be 1 or 3
+#if !defined(CHANNELS) || !defined(CULLS)
+#error CHANNELS must be 1 or 3, CULLS 0 or 1
 #endif
+const bool kCulls = CULLS == 1; // some surfaces receive nothing
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
@@ -25,6 +27,10 @@ layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
 layout(std430, binding = kBooksBuffer) buffer Books { uint books[]; };
 layout(std430, binding = kWantedBuffer) writeonly buffer Wanted { uint wanted[]; };
 layout(std430, binding = kSlotsBuffer) writeonly buffer Slots { uint slots[]; };
+
+#if CULLS == 1
+layout(std430, binding = kReceivingBuffer) readonly buffer Receiving { uint receiving[]; };
+#endif
 
 const int kSmallest = 2; // edge of a cell whose middle is a place on the map
 
@@ -68,7 +74,32 @@ void want(uint point, uint bits) {
     slots[point] = slot;
 }
 
-bool isIdle(int status) {
+// Whether a brick that this box [voxel] reaches into holds surface voxels.
+bool isReceived(vec3 low, vec3 high) {
+#if CULLS == 1
+    const int kMostBricks = 64; // asked for
+    ivec3 bricks = (params.size.xyz + kBrickEdge - 1) >> kBrickBits;
+    ivec3 from = clamp(ivec3(floor(low + 0.5)) >> kBrickBits, ivec3(0), bricks - 1);
+    ivec3 to = clamp(ivec3(floor(high + 0.5)) >> kBrickBits, ivec3(0), bricks - 1);
+    ivec3 count = to - from + 1;
+    if (count.x * count.y * count.z > kMostBricks) return true;
+    bool any = false;
+    for (int z = from.z; z <= to.z && !any; ++z)
+        for (int y = from.y; y <= to.y && !any; ++y)
+            for (int x = from.x; x <= to.x && !any; ++x) {
+                int brick = (z * bricks.y + y) * bricks.x + x;
+                any = (receiving[brick >> 5] >> (brick & 31) & 1u) == 1u;
+            }
+    return any;
+#else
+    return true;
+#endif
+}
+
+// Whether nothing more becomes of a point's light: it is on its way nowhere, or on a surface that none asks for.
+bool isIdle(BeamPoint point) {
+    int status = int(point.event.x);
+    if (kCulls && status == kStopped) return !isReceived(point.place.xyz - 1.0, point.place.xyz + 1.0);
     return status != kStopped && status != kMeets;
 }
 
@@ -84,7 +115,8 @@ void main() {
     float edge = float(node.place.z) / float(params.levels.x);
     float area = edge * edge;
     bool agree = true;
-    bool idle = isIdle(status);
+    bool idle = isIdle(middle);
+    int idlePoints = idle ? 1 : 0;
     vec3 mean = vec3(0.0);
     vec3 low = middle.place.xyz;
     vec3 high = low;
@@ -97,7 +129,11 @@ void main() {
         BeamPoint point = points[pointOf(node, i)];
         int its = int(point.event.x);
         agree = agree && its == status && point.event.y == middle.event.y;
-        idle = idle && isIdle(its);
+        if (i != 4) {
+            bool leadsNowhere = isIdle(point);
+            idle = idle && leadsNowhere;
+            idlePoints += leadsNowhere ? 1 : 0;
+        }
         if (its == kStopped) {
             low = landed > 0 ? min(low, point.place.xyz) : point.place.xyz;
             high = landed > 0 ? max(high, point.place.xyz) : point.place.xyz;
@@ -107,13 +143,14 @@ void main() {
         if (i == 2) corner[1] = point.place.xyz;
         if (i == 6) corner[2] = point.place.xyz;
         if (i == 8) corner[3] = point.place.xyz;
-        if (!isIdle(its)) share = max(share, brightest(point.weight.xyz));
+        if (its == kStopped || its == kMeets) share = max(share, brightest(point.weight.xyz));
         on = max(on, brightest(point.weight.xyz) * (1.0 - point.weight.w));
         back = max(back, brightest(point.weight.xyz) * point.weight.w);
     }
     float fine = float(params.size.w);
     float extent = fine * max(high.x - low.x, max(high.y - low.y, high.z - low.z));
-    bool split = !single && !idle && !agree && (extent > kDot || landed < kTold);
+    bool shadowed = float(idlePoints) >= 9.0 * params.right.w;
+    bool split = !single && !idle && !agree && !shadowed && (extent > kDot || landed < kTold);
     if (!single && agree && status == kStopped) {
         float dense = area * params.map.x * brightest(middle.weight.xyz);
         vec3 across = cross(corner[3] - corner[0], corner[2] - corner[1]);
@@ -121,7 +158,16 @@ void main() {
         float bend = fine * distance(0.25 * (corner[0] + corner[1] + corner[2] + corner[3]), middle.place.xyz);
         float most = min(sqrt(params.limits.w * extent) / bright, kMostBend * inversesqrt(bright) * extent);
         split = bend > max(most, kFlat) || extent > float(params.levels.w);
+        vec3 reach = vec3(1.0 + bend / fine);
+        if (kCulls && !isReceived(low - reach, high + reach)) {
+            split = false;
+            landed = 0;
+        }
+    } else if (kCulls && idle) {
+        landed = 0;
     }
+    bool culled = kCulls && landed == 0 && status == kStopped;
+    if (culled) atomicAdd(counts[kCulledCount], 1u);
     if (split && node.place.z > kSmallest && share * edge >= (params.kind.y > 0u && !agree ? kBrokenWorth : kWorth)) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
         return;
@@ -158,7 +204,7 @@ void main() {
                                      ((follow & 2u) == 0u ? point.weight.w : 0.0)));
         if (params.kind.y == 0u && its != kNone) enter(kBookEntered, power);
     }
-    if (status == kStopped || landed > 0) beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
+    if (!culled && (status == kStopped || landed > 0)) beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
     if (follow != 0u) {
         BeamNode next = node;
         next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);

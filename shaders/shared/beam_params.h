@@ -52,7 +52,8 @@ struct BeamParams {
     ivec4 levels; // x: edge of a cell of the coarsest level [finest cell], y: cells of that level
                   // along x, z: along y; w: the longest edge of what one beam covers [fine voxel]
     vec4 window; // tangents, or offsets [voxel], at the map's low corner, and its extents
-    vec4 right;  // voxel space; for a point light right, up, forward span its view
+    vec4 right;  // voxel space; for a point light right, up, forward span its view; w: a cell of which
+                 // so much leads nowhere is not split
     vec4 up;
     vec4 forward; // xyz: directional light's direction of travel, or the view's axis; w: 1 for a
                   // point light
@@ -73,7 +74,8 @@ const int kNearFullCount = 4; // not 0 if a sum came near its end
 const int kDepositCount = 5;
 const int kMissedCount = 6; // parts that fell beside every surface voxel
 const int kNextWays = 7; // bits of the ways that any of those that go on takes
-const int kBeamCounts = 8;
+const int kCulledCount = 8; // that lead to no surface that receives
+const int kBeamCounts = 9;
 
 // Books: power by what became of it, in kBookSlots parts of three channels.
 const int kBookEntered = 0;

@@ -75,6 +75,7 @@ const int kBooksBuffer = 8;          // power by what became of it, fixed point
 const int kWantedBuffer = 9;         // points that go on
 const int kParentObjectsBuffer = 13; // of many objects: those that each parent is in
 const int kSlotsBuffer = 14;         // where points that go on are in the list of them
+const int kReceivingBuffer = 15;     // bricks of 8³ voxels that hold surface voxels, bits
 const int kVoxelListBuffer = 0;      // voxels of the domain to look at
 const int kMasksBuffer = 1;          // which of their fine voxels opaque surfaces cross
 const int kSurfacePointsBuffer = 0;  // points of surfaces that are asked for their light

@@ -31,7 +31,7 @@ test_bad_usage() {
     done
     local option
     for option in photons=0 photons=-5 photons=x photons=1e30 octree-tolerance=-1 \
-        octree-tolerance=nan octree-tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
+        octree-tolerance=nan shadow-cull=0 shadow-cull=1.1 shadow-cull=nan octree-tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
         step-min=1e9 max-steps=0 max-steps=100000 drop-below=1 drop-below=-1 drop-below=nan \
         step=0 step=nan integrator=magic interpolation=nearest tolerance=0 tolerance=nan \
         thin-to=1 thin-to=-0.1 thin-to=nan smoothing=-1 smoothing=65 smoothing=x method=magic \

@@ -91,6 +91,42 @@ TEST(LightPoints, GetWhatTheirSurfaceGets) {
     }
 }
 
+TEST(LightPoints, BeamsToOtherPlacesAreCulled) {
+    const volume::Volume volume = ballOverFloor();
+    Params params = lit({beam({-0.1, -1, 0.05})});
+    const Lit all(volume, params);
+    params.points = onFloor(all.plan.scene, 8, 1, 5); // a corner, far from the ball's shadow
+    const Lit corner(volume, params);
+    EXPECT_GT(corner.counter("beams_culled"), 0);
+    EXPECT_EQ(all.counter("beams_culled"), 0);
+    EXPECT_LT(corner.counter("beam_points"), 0.7 * all.counter("beam_points"));
+    for (size_t i = 0; i < 64; ++i)
+        if (i % 8 < 6)
+            // The sun's, and some that the ball mirrors there.
+            EXPECT_NEAR(corner.result.points.at(0)[i].irradiance.x, 1 / std::sqrt(1.0125), 0.04);
+}
+
+TEST(LightPoints, WhatIsMostlyShadowedNeedsNoSplit) {
+    const volume::Volume volume = ballOverFloor();
+    Params params = lit({beam({-0.1, -1, 0.05})});
+    const auto power = [](const Lit& lit) {
+        double sum = 0;
+        for (const glm::vec3& e : lit.result.irradiance.values) sum += e.x;
+        return sum;
+    };
+    const Lit exact(volume, params);
+    params.shadowCull = 0.65;
+    const Lit culled(volume, params);
+    params.shadowCull = 1;
+    params.beamLevels = 0;
+    const Lit flat(volume, params);
+    EXPECT_LT(culled.counter("beam_points"), exact.counter("beam_points"));
+    EXPECT_LT(flat.counter("beam_points"), culled.counter("beam_points"));
+    // No light is lost by it: what a cell's points stand for is laid down all the same. They are
+    // the corners and middles of cells of 2.5 voxels.
+    EXPECT_NEAR(power(culled), power(exact), 0.02 * power(exact));
+}
+
 TEST(LightPoints, FlowIsTheLightTimesWhereItTravels) {
     const volume::Volume volume = ballOverFloor();
     const dvec3 towards = glm::normalize(dvec3(-0.4, -1, 0.2));

@@ -71,6 +71,11 @@ void addOptions(tool::Session& session, Options& o) {
                    "how far off what is inside a beam may be, about [fine voxel]")
         ->type_name("E")
         ->default_str("1/3");
+    app.add_option("--shadow-cull", p.shadowCull,
+                   "beams: a part of the light's map of which so much leads to no surface that "
+                   "receives, being in shadow, is not split; 1: what is wholly so")
+        ->type_name("SHARE")
+        ->capture_default_str();
     app.add_option("--octree-tolerance", p.octreeTolerance,
                    "index range within which a leaf of the octree is constant")
         ->type_name("E")
