@@ -172,8 +172,10 @@ public:
         // All that go on beside the domain, then all around it.
         for (const RimEdge& edge : rim) addStrip(edge, 0);
         mFirstAround = mMesh.triangles.size();
+        for (const RimEdge& edge : rim) addStrip(edge, 1);
+        mFirstFlat = mMesh.triangles.size();
         for (const RimEdge& edge : rim) {
-            for (size_t k = 1; k < kRings; ++k) addStrip(edge, k);
+            for (size_t k = 2; k < kRings; ++k) addStrip(edge, k);
             addPart({mColumns.at(edge.to).back(), mColumns.at(edge.from).back(), pole});
         }
     }
@@ -185,10 +187,12 @@ public:
         return true;
     }
 
-    /// Gives the walls their own normals.
+    /// What may begin at the rim has its own normals, which leave the rim's curve as it is; the
+    /// rest, long needles among it, is not looked at by smoothing.
     void keepFlat() {
+        mMesh.flatFrom = mFirstFlat;
         mMesh.normals.resize(mFirst, CornerNormals{});
-        for (size_t f = mFirst; f < mMesh.triangles.size(); ++f) {
+        for (size_t f = mFirst; f < mFirstFlat; ++f) {
             const glm::uvec3& face = mMesh.triangles[f];
             const dvec3 area = glm::cross(mMesh.points[face.y] - mMesh.points[face.x],
                                           mMesh.points[face.z] - mMesh.points[face.x]);
@@ -196,6 +200,7 @@ public:
             mMesh.normals.emplace_back();
             if (length > 0) mMesh.normals.back().fill(glm::vec3(area / length));
         }
+        mMesh.normals.resize(mMesh.triangles.size(), CornerNormals{});
     }
 
 private:
@@ -276,7 +281,7 @@ private:
     }
 
     TriangleMesh& mMesh;
-    size_t mFirst, mFirstAround = 0; ///< triangles
+    size_t mFirst, mFirstAround = 0, mFirstFlat = 0; ///< triangles
     Box mWithin, mClear;
     dvec3 mAway, mMiddle;
     double mReach, mRadius;

@@ -27,8 +27,8 @@ struct ClosedSheet {
 /// Closes an open mesh whose rim lies nowhere within the domain, seen from `slack` within its
 /// faces. From the rim the surface goes on along its own slope until it is clear of the domain,
 /// then straight away from the domain's middle, and round it on the side where the solid is. So
-/// the solid within the domain is what lies behind the surface there. What is added has its
-/// triangles' own normals, by which smoothing leaves it flat.
+/// the solid within the domain is what lies behind the surface there. What is added is
+/// flat, whatever smoothing the mesh is in for.
 ClosedSheet closeSheet(TriangleMesh& mesh, const SheetDomain& domain);
 
 } // namespace eikonal::mesh

@@ -108,6 +108,7 @@ Params sceneOf(const TriangleMesh& sheet, const Box& bounds, bool below = false,
     const Acceptance found =
         acceptMesh(params.objects[0].mesh, "sheet.obj", false, sheetDomainOf(params, below));
     EXPECT_FALSE(found.closing.empty());
+    params.sharp = false; // walls need not be looked for
     Stats stats;
     EXPECT_TRUE(curveObjects(params, stats).empty());
     return params;
@@ -212,7 +213,7 @@ TEST(Sheets, MayLeaveTheDomainByAnyOfItsFaces) {
     around.max = dvec3(2.4);
     std::mt19937 random(5);
     std::normal_distribution<double> any;
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 12; ++i) {
         const dvec3 normal = i == 0 ? glm::normalize(dvec3(1))
                                     : glm::normalize(dvec3(any(random), any(random), any(random)));
         const dvec3 through = 0.15 * dvec3(any(random), any(random), any(random));
