@@ -67,7 +67,8 @@ Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool re
     if (report.boundaryEdges > 0) {
         help = sheet ? "or an open one that ends at the domain's faces or beyond, "
                        "filled behind its faces or by --fill-below"
-                     : "or an open one, with --bounds for the domain at whose faces it ends";
+                     : "or an open one with --bounds, the domain at whose faces it ends, filled "
+                       "behind its faces or by --fill-below";
         const std::string fault = sheet ? closeAsSheet(mesh, *sheet, result) : "";
         if (sheet && fault.empty()) return result;
         faults += (fault.empty() ? "" : "; ") + fault;
