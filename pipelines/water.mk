@@ -1,4 +1,4 @@
-# Water with waves in a pool: the net of light on its floor.
+# Water with waves in a pool, cut open by the faces of the domain: the net of light on its floor.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make -f pipelines/water.mk                                   out/water.png
