@@ -1,4 +1,4 @@
-# Water with waves in a pool: the net of light on its floor.
+# Water with waves in a pool, cut open by the faces of the domain: the net of light on its floor.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make -f pipelines/water.mk                                   out/water.png
@@ -13,7 +13,8 @@ default: picture
 NAME           := water
 MESHES         := $(OUT)/water/water.obj $(OUT)/water/floor.obj
 VOLUME_OPTIONS ?= --ior 1.33 --ior 1 --opacity 0 --opacity 1 --albedo 0 --albedo 0.75,0.85,0.9 \
-  --absorption 0.6,0.15,0.08 --absorption 0 --resolution 192
+  --absorption 0.6,0.15,0.08 --absorption 0 --resolution 192 \
+  --bounds=-1,-0.5,-1,1,0.1,1 --fill-below yes --fill-below no
 SMOOTH         := off
 LIGHT_OPTIONS  ?= --light $(LIGHT)
 VIEW_OPTIONS   ?= --eye 0.4,1.5,2.3 --target 0,-0.35,0 --fov 38 --size $(SIZE) --samples 4 \
@@ -23,6 +24,6 @@ include pipelines/chain.mk
 $(OUT)/water/water.obj: $(HERE)/water.awk | $(WORK)
 	awk -f $< >$@
 
-# It reaches a little into the water, so that there is no gap between them.
+# The water fills the domain below its surface; where the floor is, the later object, it gives way.
 $(OUT)/water/floor.obj: $(HERE)/floor.awk | $(WORK)
 	awk -v x0=-1.2 -v y0=-0.5 -v z0=-1.2 -v x1=1.2 -v y1=-0.38 -v z1=1.2 -f $< >$@

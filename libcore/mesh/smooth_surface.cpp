@@ -230,6 +230,7 @@ std::set<std::uint32_t> crossing(const TriangleMesh& mesh, const Split& split) {
 TriangleMesh curved(const TriangleMesh& mesh, const Fans& fans, double sagitta,
                     SmoothCounts& counts) {
     std::vector<CornerNormals> normals = cornerNormals(fans);
+    for (size_t f = mesh.flatFrom; f < normals.size(); ++f) normals[f] = CornerNormals{};
     // A face may bulge 4/3 as far as its sides.
     const double most = 0.75 * sagitta;
     // A face laid flat bends its neighbours' curves, which may cross in turn; then all are.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <limits>
 #include <vector>
 
 namespace eikonal::mesh {
@@ -18,6 +19,8 @@ struct TriangleMesh {
     std::vector<glm::dvec3> points;       ///< world space [unit]
     std::vector<glm::uvec3> triangles;    ///< three indices into `points`
     std::vector<CornerNormals> normals{}; ///< one for each triangle, or none at all
+    /// Triangles from this one on are flat: no smoothing curves them or their sides.
+    std::size_t flatFrom = std::numeric_limits<std::size_t>::max();
 };
 
 /// An axis-aligned box in world space [unit]. Empty while `min` exceeds `max`.

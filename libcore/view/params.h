@@ -33,7 +33,7 @@ struct Params : optics::Tracing {
     /// refracted takes that along; below its square a branch is dropped. What floats hold of a
     /// picture is three decimals.
     double cutoff = 1e-3;
-    int samples = 1;  ///< rays of a pixel, in a fixed pattern
+    int samples = 1;  ///< rays of a pixel, see samplePattern()
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
     PointLights points;         ///< where a pixel's first branch ends, in place of the stored light

@@ -4,12 +4,12 @@
 
 #include "optics/bands.h"
 #include "view/background.h"
+#include "view/pattern.h"
 #include "view/picture.h"
 #include "view/rays.h"
 
 #include <algorithm>
 #include <chrono>
-#include <glm/common.hpp>
 
 namespace eikonal::view {
 
@@ -56,14 +56,11 @@ void goOn(Rays& rays, Picture& picture) {
 double traceStrip(Rays& rays, Picture& picture, const std::vector<optics::Band>& bands, int samples,
                   int row, int rows, const Progress& progress) {
     double longest = 0;
+    const std::vector<glm::dvec2> places = samplePattern(samples);
     const auto all = static_cast<int>(bands.size()) * samples;
     for (int launch = 0; launch < all; ++launch) {
         const optics::Band& band = bands[static_cast<size_t>(launch / samples)];
-        // The plastic number's powers: any number of rays is spread evenly over the pixel, and the
-        // first goes through its centre.
-        const glm::dvec2 place =
-            glm::fract(0.5 + static_cast<double>(launch % samples) *
-                                 glm::dvec2(0.7548776662466927, 0.5698402909980532));
+        const glm::dvec2& place = places[static_cast<size_t>(launch % samples)];
         const double share = 1.0 / samples;
         const auto began = std::chrono::steady_clock::now();
         picture.clearRests();

@@ -34,16 +34,50 @@ std::vector<std::string> warningsOf(const mesh::MeshReport& report) {
     return warnings;
 }
 
+/// What was done to a sheet.
+std::string closingOf(const mesh::ClosedSheet& closed, bool below) {
+    return "open sheet, closed outside the domain from " + std::to_string(closed.rimEdges) +
+           " edges with a single face: filled " + (below ? "below it" : "behind its faces") +
+           (closed.turned ? ", all of which were turned over to look up" : "");
+}
+
+/// Closes an open mesh, or gives the reason why not.
+std::string closeAsSheet(mesh::TriangleMesh& mesh, const mesh::SheetDomain& domain,
+                         Acceptance& result) {
+    const mesh::ClosedSheet closed = mesh::closeSheet(mesh, domain);
+    if (!closed.fault.empty()) return closed.fault;
+    const mesh::MeshReport after = mesh::checkTopology(mesh);
+    if (!after.closed || !after.oriented) throw InternalError("a sheet was not closed");
+    result.closing = closingOf(closed, domain.below);
+    return "";
+}
+
 } // namespace
 
-Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool repair) {
+Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool repair,
+                      const std::optional<mesh::SheetDomain>& sheet) {
     const mesh::MeshReport report = mesh::checkMesh(mesh);
-    Acceptance result{report.sentences(), {}, warningsOf(report)};
-    if (report.boundsVolume()) return result;
-    if (!repair)
-        throw DataError(path + ": bounds no volume: " + faultsOf(report) +
-                        " (expected a closed surface whose faces all look outward; --repair " +
-                        (report.closed ? "turns" : "closes") + " it)");
+    Acceptance result{report.sentences(), {}, {}, warningsOf(report)};
+    const bool below = sheet && sheet->below;
+    if (report.boundsVolume()) {
+        if (below) result.warnings.push_back("is closed: --fill-below does nothing");
+        return result;
+    }
+    std::string faults = faultsOf(report), help;
+    if (report.boundaryEdges > 0) {
+        help = sheet ? "or an open one that ends at the domain's faces or beyond, "
+                       "filled behind its faces or by --fill-below"
+                     : "or an open one with --bounds, the domain at whose faces it ends, filled "
+                       "behind its faces or by --fill-below";
+        const std::string fault = sheet ? closeAsSheet(mesh, *sheet, result) : "";
+        if (sheet && fault.empty()) return result;
+        faults += (fault.empty() ? "" : "; ") + fault;
+        help = ", " + help;
+    }
+    if (!repair || below)
+        throw DataError(path + ": bounds no volume: " + faults +
+                        " (expected a closed surface whose faces all look outward" + help +
+                        "; --repair " + (report.closed ? "turns" : "closes") + " it)");
     mesh::RepairResult repaired = mesh::repairMesh(mesh);
     const mesh::MeshReport after = mesh::checkMesh(repaired.mesh);
     if (!after.boundsVolume())

@@ -132,7 +132,12 @@ void Params::check() const {
     else if (padding && !bounds)
         require(resolution > 2 * *padding, "--resolution", std::to_string(resolution),
                 "more than twice the --padding of " + std::to_string(*padding));
-    if (bounds) checkBounds(*bounds);
+    if (bounds)
+        checkBounds(*bounds);
+    else if (std::any_of(objects.begin(), objects.end(),
+                         [](const Object& o) { return o.fillBelow; }))
+        throw UsageError("--fill-below: given without --bounds, expected the domain that closes "
+                         "what it fills");
     // A cubic spline of distances looks two voxels far, from places up to two off the boundary.
     require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");
     // From 90° on a box would be a ball.

@@ -31,6 +31,7 @@ struct Object {
     Material material;
     int priority = 0; ///< where objects overlap the higher wins, among equals the later
     mesh::TriangleMesh mesh{};
+    bool fillBelow = false; ///< an open mesh is filled below (-Y), however its faces look
 };
 
 struct Params {

@@ -84,12 +84,26 @@ Lattice latticeOf(const Params& params) {
     return lattice;
 }
 
+/// The area of the faces whose boxes reach into the domain [unit²].
+double areaWithin(const mesh::TriangleMesh& mesh, const Lattice& lattice) {
+    mesh::Box domain;
+    domain.min = lattice.low;
+    domain.max = lattice.low + glm::dvec3(lattice.size) * lattice.voxelSize;
+    double area = 0;
+    for (const glm::uvec3& face : mesh.triangles) {
+        mesh::Box own;
+        for (int k = 0; k < 3; ++k) own.include(mesh.points[face[k]]);
+        if (own.touches(domain)) area += mesh::faceArea(mesh, face);
+    }
+    return area;
+}
+
 /// What the host holds at the most, about: a strip of samples, and bricks near surfaces, once as
 /// they are filled and once as a tree.
 std::int64_t bytesFor(const Params& params, const Lattice& lattice, int components) {
     double area = 0; // [voxel²]
     for (const Object& object : params.objects)
-        area += mesh::surfaceArea(object.mesh) / (lattice.voxelSize * lattice.voxelSize);
+        area += areaWithin(object.mesh, lattice) / (lattice.voxelSize * lattice.voxelSize);
     const double voxels = static_cast<double>(lattice.size.x) * lattice.size.y * lattice.size.z;
     const double bricks = voxels / volume::kBrickVoxels;
     // A brick is as wide as its edge times 3/2, in the mean over the ways a surface may lie.
@@ -187,6 +201,20 @@ std::optional<double> thinnestWallVoxels(const Plan& plan) {
 
 double voxelSizeOf(const Params& params) {
     return latticeOf(params).voxelSize;
+}
+
+std::optional<mesh::SheetDomain> sheetDomainOf(const Params& params, bool below) {
+    if (!params.bounds) return {};
+    const Lattice lattice = latticeOf(params);
+    const double h = lattice.voxelSize;
+    mesh::SheetDomain domain;
+    domain.box.min = lattice.low;
+    domain.box.max = lattice.low + glm::dvec3(lattice.size) * h;
+    domain.slack = 0.5 * h;
+    // What is curved may bulge, and the outermost samples are at half a voxel.
+    domain.clear = ((params.sharp ? params.sdfBand : 0) + 1) * h;
+    domain.below = below;
+    return domain;
 }
 
 Plan makePlan(const Params& params) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/stats.h"
+#include "mesh/sheet.h"
 #include "mesh/walls.h"
 #include "volume/volume.h"
 #include "voxelize/grids.h"
@@ -38,6 +39,11 @@ std::optional<double> thinnestWallVoxels(const Plan& plan);
 
 /// The edge of the voxels of these meshes' lattice [unit]. Throws as makePlan() does.
 double voxelSizeOf(const Params& params);
+
+/// The domain of --bounds, which holds whole voxels, and what an open sheet must keep to in it:
+/// it may end half a voxel within, where no voxel has its middle. None without --bounds. Throws as
+/// makePlan() does.
+std::optional<mesh::SheetDomain> sheetDomainOf(const Params& params, bool below);
 
 /// Lays the lattice around the objects' meshes and picks the grids. Throws UsageError if the
 /// options make too many voxels of these meshes, MemoryError if the host can't hold them.

@@ -129,6 +129,28 @@ test_bad_input() {
     refuses 65 box.obj open.obj $small -o out.vdb
 }
 
+test_open_sheets() {
+    printf 'v -1 0.1 -1\nv 1 0 -1\nv 1 0.1 1\nv -1 0 1\nf 1 4 3\nf 1 3 2\n' >water.obj
+    local pool="--ior 1.3 --resolution 20 --bounds=-1,-0.5,-1,1,0.5,1"
+    refuses 65 water.obj --ior 1.3 -o out.vdb
+    says "around 1 hole .*with --bounds, .*--fill-below"
+    refuses 65 water.obj --ior 1.3 --resolution 20 --bounds=-1,-1,-1,1.2,1,1 -o out.vdb
+    says "its rim lies within the domain, at (1, .*--fill-below"
+    refuses 64 water.obj --ior 1.3 --fill-below yes -o out.vdb
+    says "--fill-below: given without --bounds"
+    refuses 64 water.obj $pool --fill-below maybe -o out.vdb
+    says "--fill-below: found 'maybe', expected yes or no"
+    refuses 64 water.obj $pool --fill-below yes --fill-below no -o out.vdb
+    makes behind.vdb water.obj $pool --stats stats.json
+    says "water.obj: open sheet, closed outside the domain from 4 edges .*: filled behind its faces"
+    grep -q '"sheets_closed": *1' stats.json || fail "--stats counts no sheet"
+    makes below.vdb water.obj $pool --fill-below yes
+    expect 0 mesh2vol water.obj box.obj $pool --fill-below yes --fill-below no --explain -o out.vdb
+    grep -q '^sheet water.obj: open sheet, .*: filled below it' stdout || fail "--explain tells of no sheet"
+    makes both.vdb water.obj box.obj $pool --fill-below yes
+    says "box.obj: is closed: --fill-below does nothing"
+}
+
 test_no_memory_no_device() {
     # Less than a process may have.
     expect 71 bash -c 'ulimit -v 6000000; exec "$0" "$@"' mesh2vol box.obj --ior 1.5 \

@@ -1,5 +1,5 @@
 eikonal_test(test_voxelize SOURCES voxelize/coverage_test.cpp voxelize/distances_test.cpp voxelize/curve_test.cpp
-                                   voxelize/scene_test.cpp voxelize/accept_test.cpp
+                                   voxelize/scene_test.cpp voxelize/accept_test.cpp voxelize/sheet_test.cpp
                             LIBRARIES test_support)
 # For the structs that facets share with the shaders.
 target_include_directories(test_voxelize SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)

@@ -22,12 +22,18 @@ struct Objects {
     Facts facts;
 };
 
-/// Checks a mesh, repairs it where asked for, and tells what was found.
-void accept(tool::Session& session, const std::string& title, bool repair, mesh::TriangleMesh& mesh,
-            Facts& facts) {
+/// Checks a mesh, closes it as a sheet, repairs it where asked for, and tells what was found.
+void accept(tool::Session& session, const std::string& title, bool repair,
+            const std::optional<mesh::SheetDomain>& sheet, mesh::TriangleMesh& mesh, Facts& facts) {
     voxelize::Acceptance found;
-    session.pass("check", [&] { found = voxelize::acceptMesh(mesh, title, repair); });
+    session.pass("check", [&] { found = voxelize::acceptMesh(mesh, title, repair, sheet); });
     facts.emplace_back("mesh " + title, join(found.findings, "; "));
+    if (!found.closing.empty()) {
+        session.stats().count("sheets_closed", 1);
+        facts.emplace_back("sheet " + title, found.closing);
+        session.note(title + ": " + found.closing);
+        found.findings.resize(1); // that it is open has been said
+    }
     if (!found.repairs.empty())
         facts.emplace_back("repairs to " + title, join(found.repairs, "; "));
     session.say(title + ": " + found.findings.front());
@@ -37,13 +43,15 @@ void accept(tool::Session& session, const std::string& title, bool repair, mesh:
     for (const std::string& warning : found.warnings) session.warn(title + ": " + warning);
 }
 
-/// Many objects of a file are one where no option tells them apart.
-void joinAlike(tool::Session& session, const mesh2vol::Options& o, const std::string& title,
-               std::vector<mesh::Part>& parts) {
-    constexpr size_t most = voxelize::kMostAlike;
-    if (parts.size() <= most || mesh2vol::tellsObjectsApart(o)) return;
+/// Whether the objects of a file are one, as they are where they are many and no option tells them
+/// apart.
+bool areOne(const mesh2vol::Options& o, const std::vector<mesh::Part>& parts) {
+    return parts.size() > voxelize::kMostAlike && !mesh2vol::tellsObjectsApart(o);
+}
+
+void joinAlike(tool::Session& session, const std::string& title, std::vector<mesh::Part>& parts) {
     session.note(title + ": " + std::to_string(parts.size()) +
-                 " objects, all alike and more than " + std::to_string(most) +
+                 " objects, all alike and more than " + std::to_string(voxelize::kMostAlike) +
                  ", are taken as one");
     mesh::Part all;
     for (const mesh::Part& part : parts) mesh::append(all.mesh, part.mesh);
@@ -52,17 +60,28 @@ void joinAlike(tool::Session& session, const mesh2vol::Options& o, const std::st
 
 /// Reads and checks every object of every mesh.
 Objects readObjects(tool::Session& session, const mesh2vol::Options& o) {
+    std::vector<std::vector<mesh::Part>> files(o.meshes.size());
+    size_t count = 0;
+    for (size_t file = 0; file < files.size(); ++file) {
+        session.pass("read", [&] { files[file] = mesh::readParts(o.meshes[file]); });
+        count += areOne(o, files[file]) ? 1 : files[file].size();
+    }
+    const voxelize::Params scene = mesh2vol::sceneOf(o);
     Objects objects;
-    for (size_t file = 0; file < o.meshes.size(); ++file) {
-        const std::string& path = o.meshes[file];
-        std::vector<mesh::Part> parts;
-        session.pass("read", [&] { parts = mesh::readParts(path); });
-        for (mesh::Part& part : parts) {
-            std::string title = mesh::meshTitle(path);
-            if (!part.name.empty()) title += ": '" + part.name + "'";
-            accept(session, title, o.repair, part.mesh, objects.facts);
+    for (size_t file = 0; file < files.size(); ++file) {
+        std::vector<mesh::Part>& parts = files[file];
+        const std::string path = mesh::meshTitle(o.meshes[file]);
+        const bool one = areOne(o, parts);
+        for (size_t part = 0; part < parts.size(); ++part) {
+            const size_t object = objects.sources.size() + (one ? 0 : part);
+            const mesh2vol::ObjectValues values(o, {object, count, file, files.size()});
+            std::string title = path;
+            if (!parts[part].name.empty()) title += ": '" + parts[part].name + "'";
+            accept(session, title, o.repair,
+                   voxelize::sheetDomainOf(scene, values.yes("--fill-below")), parts[part].mesh,
+                   objects.facts);
         }
-        joinAlike(session, o, mesh::meshTitle(path), parts);
+        if (one) joinAlike(session, path, parts);
         for (mesh::Part& part : parts) {
             objects.sources.push_back({file, part.name});
             objects.meshes.push_back(std::move(part.mesh));

@@ -31,6 +31,12 @@ public:
         if (!number) throw UsageError(option + ": found '" + found + "', expected a number");
         value = *number;
     }
+    bool yes(const std::string& option) const {
+        const std::string found = text(option, "no");
+        if (found != "yes" && found != "no")
+            throw UsageError(option + ": found '" + found + "', expected yes or no");
+        return found == "yes";
+    }
     void rgb(const std::string& option, glm::dvec3& value) const {
         if (!mOptions.given(option).empty())
             value = tool::parseVector(option, text(option, ""), true);
@@ -63,6 +69,7 @@ inline voxelize::Object objectOf(const ObjectValues& values) {
     values.rgb("--albedo", m.albedo);
     values.rgb("--reflectance", m.reflectance);
     object.priority = priorityOf(values);
+    object.fillBelow = values.yes("--fill-below");
     return object;
 }
 

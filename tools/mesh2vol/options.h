@@ -57,6 +57,9 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
                "tint of the mirror reflection, or one number (default 1)");
     addPerMesh(app, o, "--priority", "INT",
                "the higher wins where objects overlap, among equals the later (default 0)");
+    addPerMesh(app, o, "--fill-below", "yes|no",
+               "an open mesh that ends at the faces of --bounds or beyond is filled below (-Y) "
+               "rather than behind its faces (default no)");
     addPerMesh(
         app, o, "--name", "NAME",
         "for messages and grids: sdf.NAME, ior.NAME (default: the file's; FILE.NAME where OBJ "
@@ -91,7 +94,10 @@ inline void addMediumOptions(CLI::App& app, voxelize::Material& medium) {
 
 inline void addOptions(CLI::App& app, Options& o) {
     voxelize::Params& p = o.params;
-    app.add_option("mesh", o.meshes, "closed surfaces: OBJ, PLY, OFF or STL; - is standard input")
+    app.add_option(
+           "mesh", o.meshes,
+           "closed surfaces, or open ones that end at the faces of --bounds or beyond: OBJ, PLY, "
+           "OFF or STL; - is standard input")
         ->type_name("MESH")
         ->required();
     addObjectOptions(app, o);

@@ -79,7 +79,7 @@ void addOptions(CLI::App& app, Options& o) {
         "longest step [voxel]; default 1, for verlet 1.5 where no medium is sampled along, "
         "for adaptive 4",
         p.maxDepth, "a ray");
-    app.add_option("--samples", p.samples, "rays of a pixel, in a fixed pattern")
+    app.add_option("--samples", p.samples, "rays of a pixel, in a fixed pattern about its middle")
         ->type_name("N")
         ->capture_default_str()
         ->group("Picture");

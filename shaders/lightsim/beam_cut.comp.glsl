@@ -1,0 +1,66 @@
+// Cuts beams into the cells that are laid down, each by a work item of its own: as many along a beam's sides as
+// it takes for them to be straight and of one density.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lanes of a vector wait for each other, and beams differ by a hundred times in what there is to be done.
+#include "lightsim/beam_node.glsl"
+#include "shared/beam_params.h"
+#include "shared/bindings.h"
+
+layout(local_size_x = 64) in;
+layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
+layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
+layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
+layout(std430, binding = kBeamsBuffer) readonly buffer Beams { uint beams[]; };
+layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
+layout(std430, binding = kCellsBuffer) writeonly buffer Cells { uvec2 cells[]; };
+
+const float kLongest = 6.0;  // edge of a cell, if so many cells allow it [fine voxel]
+const float kFaint = 2.0; // of a beam that carries what so many fine voxels get by the plain light they may be longer
+const int kMostCells = 16;   // cells along a beam: one that bends so much is a guess in any case
+const float kDensity = 80.0; // cells along it for a bend as large as itself
+const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
+
+// Cells along one side of a beam, whose rows have their points `step` apart and begin `row` apart, none
+// longer than that.
+int cellsAlong(vec3 place[9], int step, int row, float longest) {
+    float bend = 0.0;
+    float extent = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        vec3 a = place[i * row];
+        vec3 b = place[i * row + step];
+        vec3 c = place[i * row + 2 * step];
+        bend = max(bend, length(0.5 * (a + c) - b));
+        extent = max(extent, length(c - a));
+    }
+    float wanted = min(max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat)), 1.5 * max(extent, 2.0 * bend));
+    return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
+}
+
+void main() {
+    uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
+    if (item >= params.list.x) return;
+    uint entry = beams[params.list.y + item];
+    BeamNode node = nodes[entry & 0x7FFFFFFFu];
+    bool broken = entry >= 0x80000000u;
+    ivec2 count = node.state.x == 1u ? ivec2(1) : ivec2(2);
+    if (!broken) {
+        float fine = float(params.size.w);
+        vec3 place[9]; // [fine voxel]
+        for (int i = 0; i < 9; ++i) place[i] = points[pointOf(node, i)].place.xyz * fine;
+        float edge = float(node.place.z) / float(params.levels.x);
+        float carries = edge * edge * params.map.x * fine * fine * points[node.second.x].weight.x;
+        float longest = carries < kFaint ? 1.0e9 : kLongest;
+        count = ivec2(cellsAlong(place, 1, 3, longest), cellsAlong(place, 3, 1, longest));
+    }
+    // Those of beams from the front, others from the back, so that vectors are of one kind.
+    uint all = uint(count.x * count.y);
+    uint first = atomicAdd(counts[broken ? kBrokenCellCount : kCellCount], all);
+    uint i = 0u;
+    for (int y = 0; y < count.y; ++y)
+        for (int x = 0; x < count.x; ++x) {
+            uint at = first + i++;
+            cells[broken ? params.list.z - 1u - at : at] =
+                uvec2(entry, uint(x | y << 8 | count.x << 16 | count.y << 24));
+        }
+}
