@@ -83,6 +83,8 @@ FormatFacts facts(TexelFormat format) {
         return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, 1};
     case TexelFormat::r32ui:
         return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4};
+    case TexelFormat::rg32ui:
+        return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2, 8};
     case TexelFormat::rgba32ui:
         return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 4, 16};
     }

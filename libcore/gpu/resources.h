@@ -39,7 +39,7 @@ private:
     std::int64_t mBytes = 0;
 };
 
-enum class TexelFormat { r32f, rg32f, rgba16f, rgba32f, r8ui, r32ui, rgba32ui };
+enum class TexelFormat { r32f, rg32f, rgba16f, rgba32f, r8ui, r32ui, rg32ui, rgba32ui };
 int componentsOf(TexelFormat format);
 int bytesOf(TexelFormat format);
 

@@ -27,7 +27,7 @@ constexpr std::int64_t kMostPoints = 3 << 18;
 constexpr std::int64_t kPart = 1 << 14;
 
 // What one beam covers at most, along an axis [fine voxel], if it is worth more: its cells are laid
-// down exactly up to that (kLongest times kMostCells in shaders/lightsim/beam_deposit.comp.glsl).
+// down exactly up to that (kLongest times kMostCells in shaders/lightsim/beam_cut.comp.glsl).
 constexpr int kWidest = 96;
 
 // What --photons asks for, per cell of the coarsest level: a beam does the work of so many.
@@ -35,6 +35,11 @@ constexpr std::int64_t kPhotonsPerCell = 64;
 
 // Most cells of the coarsest level that --photons auto takes; it takes one a voxel.
 constexpr std::int64_t kMostCells = 1 << 16;
+
+// Beams cut into cells at a time, each into 16 by 16 at most.
+constexpr std::uint32_t kBeamsPerCut = 1 << 13;
+constexpr std::uint32_t kCellsPerBeam = 256;
+constexpr std::int64_t kCellBytes = 8;
 
 // Most interfaces of a kind of path: its ways are bits of a word.
 constexpr int kMostWays = 31;
@@ -91,13 +96,15 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
             {{"CHANNELS", plan.tracedChannels()}, {"CULLS", !plan.points.empty()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
       mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
+      mCut(device, "lightsim/beam_cut.comp.glsl", {}),
       mDeposit(device, "lightsim/beam_deposit.comp.glsl",
                {{"CHANNELS", plan.tracedChannels()}, {"SURFACE_FLOW", plan.sumsFlow()}}),
       mBlock(device, sizeof(BeamParams)), mCounts(device, kBeamCounts * 4),
-      mBooks(device, std::int64_t{kBooks} * kBookSlots * 3 * 4), mDomain{dvec3(-0.5),
+      mBooks(device, std::int64_t{kBooks} * kBookSlots * 3 * 4),
+      mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mCells(cellsOf(params)), mSeed(params.seed),
+      mMapCells(cellsOf(params)), mSeed(params.seed),
       mManyObjects(scene::areMany(plan.scene.objects)) {
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
@@ -108,7 +115,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
 }
 
 std::vector<Window> Beams::windowsOf(const Light& light) const {
-    return lightsim::windowsOf(light, mDomain, mDomain, {mCells, 1, kMostCells}, glm::dvec2(0),
+    return lightsim::windowsOf(light, mDomain, mDomain, {mMapCells, 1, kMostCells}, glm::dvec2(0),
                                false);
 }
 
@@ -162,6 +169,32 @@ void Beams::trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, 
     run.points += static_cast<double>(items);
 }
 
+/// Lays the beams of the list that is bound down, some thousands at a time.
+void Beams::layDown(Run& run, std::uint32_t beams) {
+    const uvec4 list = mParams.list;
+    run.surfaces.bind();
+    mCells.bindStorage(kCellsBuffer);
+    for (std::uint32_t first = 0; first < beams; first += kBeamsPerCut) {
+        std::array<std::uint32_t, kBeamCounts> counts{};
+        mCounts.upload(counts.data(), mCounts.bytes());
+        const std::uint32_t capacity = kBeamsPerCut * kCellsPerBeam;
+        mParams.list = uvec4(std::min(beams - first, kBeamsPerCut), first, capacity, list.w);
+        mBlock.upload(&mParams, sizeof mParams);
+        dispatchList(mCut, mParams.list.x);
+        mCounts.download(counts.data(), mCounts.bytes());
+        const std::uint32_t whole = counts[kCellCount], broken = counts[kBrokenCellCount];
+        mParams.list = uvec4(whole + broken, whole, capacity, list.w);
+        mBlock.upload(&mParams, sizeof mParams);
+        dispatchList(mDeposit, mParams.list.x);
+        mCounts.download(counts.data(), mCounts.bytes());
+        run.deposits += counts[kDepositCount];
+        run.missed += counts[kMissedCount];
+        run.nearFull |= counts[kNearFullCount] != 0;
+    }
+    run.beams += beams;
+    mParams.list = list;
+}
+
 /// Lays cells down or lets them go on, and splits those that call for it, level by level.
 void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     if (nodes.count == 0) return;
@@ -195,18 +228,9 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     next.count = counts[kNextCount];
     if (next.count > 0) kind.next.push_back(std::move(next));
     if (counts[kBeamCount] > 0) {
-        mParams.list.x = counts[kBeamCount];
-        mBlock.upload(&mParams, sizeof mParams);
-        run.surfaces.bind();
-        const std::uint32_t laid = counts[kBeamCount];
         run.profiler.begin("beams");
-        dispatchList(mDeposit, 16 * std::int64_t{laid});
-        mCounts.download(counts.data(), mCounts.bytes());
+        layDown(run, counts[kBeamCount]);
         run.profiler.end();
-        run.beams += laid;
-        run.deposits += counts[kDepositCount];
-        run.missed += counts[kMissedCount];
-        run.nearFull |= counts[kNearFullCount] != 0;
     }
     const std::int64_t all = counts[kSplitCount], kept = kind.count;
     // Where its points would be too many, cells are split part by part: each is followed to its end
@@ -329,7 +353,8 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
     const std::int64_t point =
         kPointBytes + 8 + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     // Of one kind of path, with those of cells that are split.
-    return {{"the beams", std::min(16 * 4 * cells, kMostPoints) * point, true, 0}};
+    return {{"the beams", std::min(16 * 4 * cells, kMostPoints) * point, true, 0},
+            {"the beams' cells", kCellBytes * kBeamsPerCut * kCellsPerBeam, true, 0}};
 }
 
 } // namespace eikonal::lightsim

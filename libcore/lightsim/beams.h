@@ -49,15 +49,16 @@ private:
     struct Kind;
     struct Run;
     void trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents);
+    void layDown(Run& run, std::uint32_t beams);
     void level(Run& run, Kind& kind, const Nodes& nodes);
     void follow(Run& run, Kind& kind);
     void grow(Run& run, Kind& kind, std::int64_t points);
 
-    gpu::Program mGrid, mTrace, mSort, mSplit, mFollow, mDeposit;
-    gpu::Buffer mBlock, mCounts, mBooks;
+    gpu::Program mGrid, mTrace, mSort, mSplit, mFollow, mCut, mDeposit;
+    gpu::Buffer mBlock, mCounts, mBooks, mCells;
     BeamParams mParams{};
     VoxelBox mDomain;
-    std::int64_t mCells; ///< of the coarsest level; 0: as many as is worth it
+    std::int64_t mMapCells; ///< of the coarsest level; 0: as many as is worth it
     std::uint32_t mSeed;
     bool mManyObjects;
 };

@@ -94,8 +94,7 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
     profiler.end();
     device.check("surface voxels");
     const int flow = mFlow ? 3 : 0;
-    mSums = gpu::Texture(device, rowsFor(mVoxels.count, mChannels + flow), gpu::TexelFormat::r32ui,
-                         gpu::Filter::nearest);
+    mSums = gpu::Buffer(device, 4 * std::max<std::int64_t>(mVoxels.count, 1) * (mChannels + flow));
     mPower = gpu::Texture(device, rowsFor(mVoxels.count, mStored + flow), gpu::TexelFormat::r32f,
                           gpu::Filter::nearest);
     mPower.clear();
@@ -104,7 +103,7 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
 
 void SurfaceReceiver::bind() const {
     mTable.bind();
-    mSums.bindImage(kSurfaceSumsImage);
+    mSums.bindStorage(kSurfaceSumsBuffer);
 }
 
 void SurfaceReceiver::bindReceiving() const {
@@ -159,7 +158,7 @@ std::vector<LightAtPoint> SurfaceReceiver::readPoints(gpu::Device& device,
 }
 
 volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
-    mSums = gpu::Texture(); // its memory serves the result
+    mSums = gpu::Buffer(); // its memory serves the result
     const gpu::Texture result = makeIrradiance(device);
     const ivec3 rows = result.size();
     std::vector<float> stored(static_cast<size_t>(rows.x) * rows.y * rows.z);
@@ -188,10 +187,11 @@ std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {
          4 * static_cast<std::int64_t>(surfaces.voxels.size()) * scene::maskWords(surfaces.detail),
          true, 0});
     needs.push_back({"the areas of surface voxels", 8 * count, true, 0});
+    const int flow = plan.sumsFlow() ? 3 : 0;
     needs.push_back(
-        {"the light on surfaces",
-         4 * count * (plan.tracedChannels() + plan.fluenceChannels() + (plan.sumsFlow() ? 9 : 0)),
-         false, 0});
+        {"what falls on surfaces", 4 * count * (plan.tracedChannels() + flow), true, 0});
+    needs.push_back(
+        {"the light on surfaces", 4 * count * (plan.fluenceChannels() + flow) * 2, false, 0});
     return needs;
 }
 

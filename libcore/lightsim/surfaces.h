@@ -48,8 +48,8 @@ private:
     scene::SurfaceVoxels mVoxels;
     scene::SurfaceTable mTable;
     gpu::Program mCollect, mIrradiance;
-    gpu::Buffer mBlock, mList, mAreas, mReceiving;
-    gpu::Texture mSums, mPower;
+    gpu::Buffer mBlock, mList, mAreas, mReceiving, mSums;
+    gpu::Texture mPower;
     std::optional<PointReader> mReader;
     int mChannels = 1, mStored = 1;
     bool mFlow = false; ///< flow is summed, too

@@ -3,8 +3,10 @@
 #include "scene/surface_voxels.h"
 
 #include "base/error.h"
+#include "scene/block_table.h"
 #include "scene/shared.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace eikonal::scene {
@@ -46,35 +48,48 @@ SurfaceVoxels::SurfaceVoxels(const glm::ivec3& domain, int edge,
 SurfaceTable::SurfaceTable(gpu::Device& device, const SurfaceVoxels& list) {
     const std::uint32_t entries = entriesFor(static_cast<std::int64_t>(list.voxels.size()));
     const std::uint32_t shift = shiftFor(entries);
-    const auto words = static_cast<std::uint32_t>(maskWords(list.detail) + 1);
+    const auto words = static_cast<std::uint32_t>(maskWords(list.detail));
     std::vector<std::uint32_t> table(2 * static_cast<size_t>(entries), kNoVoxel);
+    std::vector<std::uint32_t> records;
+    records.reserve(2 * list.voxels.size() * words);
     for (size_t i = 0; i < list.voxels.size(); ++i) {
         const std::uint32_t key = list.voxels[i];
         std::uint32_t slot = key * 2654435769u >> shift;
         while (table[2 * static_cast<size_t>(slot)] != kNoVoxel) slot = (slot + 1) & (entries - 1);
         table[2 * static_cast<size_t>(slot)] = key;
         table[2 * static_cast<size_t>(slot) + 1] = static_cast<std::uint32_t>(i) * words;
+        const std::uint32_t* record = list.records.data() + i * (words + 1);
+        std::uint32_t number = record[0];
+        for (std::uint32_t w = 1; w <= words; ++w) {
+            records.push_back(record[w]);
+            records.push_back(number);
+            number += static_cast<std::uint32_t>(std::popcount(record[w]));
+        }
     }
     SurfaceParams values{};
     values.size = ivec4(list.size, list.detail);
     values.table = uvec4(entries - 1, shift, words, static_cast<uint>(list.count));
     mParams = gpu::Buffer(device, sizeof values, &values);
-    mTable = gpu::Buffer(device, static_cast<std::int64_t>(table.size() * 4), table.data());
-    // A buffer of no bytes can't be bound.
-    std::vector<std::uint32_t> records = list.records;
-    if (records.empty()) records.push_back(0);
-    mRecords = gpu::Buffer(device, static_cast<std::int64_t>(records.size() * 4), records.data());
+    const auto rows = [&](std::vector<std::uint32_t>& pairs) {
+        const glm::ivec3 size = rowsFor(std::max<size_t>(pairs.size() / 2, 1));
+        pairs.resize(2 * static_cast<size_t>(size.x) * size.y * size.z);
+        gpu::Texture texture(device, size, gpu::TexelFormat::rg32ui, gpu::Filter::nearest);
+        texture.upload(pairs.data());
+        return texture;
+    };
+    mTable = rows(table);
+    mRecords = rows(records);
 }
 
 void SurfaceTable::bind() const {
     mParams.bindUniform(kSurfaceBlock);
-    mTable.bindStorage(kSurfaceTableBuffer);
-    mRecords.bindStorage(kSurfaceRecordsBuffer);
+    mTable.bindSampler(kSurfaceTableUnit);
+    mRecords.bindSampler(kSurfaceRecordsUnit);
 }
 
 std::vector<gpu::Need> surfaceTableNeeds(std::int64_t voxels, int detail) {
-    return {{"the table of surface voxels", std::int64_t{8} * entriesFor(voxels), true, 0},
-            {"the surface voxels", 4 * voxels * (maskWords(detail) + 1), true, 0}};
+    return {{"the table of surface voxels", std::int64_t{8} * entriesFor(voxels), false, 0},
+            {"the surface voxels", 8 * voxels * maskWords(detail), false, 0}};
 }
 
 } // namespace eikonal::scene

@@ -47,7 +47,8 @@ public:
     void bind() const;
 
 private:
-    gpu::Buffer mParams, mTable, mRecords;
+    gpu::Buffer mParams;
+    gpu::Texture mTable, mRecords;
 };
 
 /// What the list takes on the device with so many voxels of the domain in it.

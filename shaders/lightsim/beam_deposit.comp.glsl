@@ -19,19 +19,13 @@ layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
 layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
 layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
-layout(std430, binding = kBeamsBuffer) readonly buffer Beams { uint beams[]; };
+layout(std430, binding = kCellsBuffer) readonly buffer Cells { uvec2 cells[]; };
 layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
 
-const int kParts = 4;        // work items along an edge of a beam
-const float kLongest = 6.0;  // edge of such a cell, if so many cells allow it [fine voxel]
 // A triangle in a box of more fine voxels is so thin a light that points will do. Software devices end all loops
-// of a work item after 65,535 rounds, and say nothing of it: a work item has up to 2 (kMostCells / kParts)² of them.
+// of a vector after 65,535 rounds, and say nothing of it.
 const int kMostRounds = 1024;
 const int kSpread = 6; // rows of those points
-const float kFaint = 2.0; // of a beam that carries what so many fine voxels get by the plain light they will do
-const int kMostCells = 16;   // cells along it: one that bends so much is a guess in any case
-const float kDensity = 80.0; // cells along it for a bend as large as itself
-const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
 const float kThin = 1.0e-3; // a triangle no wider is a line [fine voxel]
 
 // Coordinates with the surface's steepest axis last, and back.
@@ -136,22 +130,6 @@ vec3 valueIn(vec3 values[9], vec2 at) {
     return sum;
 }
 
-// Cells along one side of a beam, whose rows have their points `step` apart and begin `row` apart, none
-// longer than that.
-int cellsAlong(vec3 place[9], int step, int row, float longest) {
-    float bend = 0.0;
-    float extent = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        vec3 a = place[i * row];
-        vec3 b = place[i * row + step];
-        vec3 c = place[i * row + 2 * step];
-        bend = max(bend, length(0.5 * (a + c) - b));
-        extent = max(extent, length(c - a));
-    }
-    float wanted = min(max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat)), 1.5 * max(extent, 2.0 * bend));
-    return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
-}
-
 vec3 directionOf(BeamPoint point) {
     return fromOctahedral(unpackSnorm2x16(uint(point.map.z)));
 }
@@ -209,66 +187,53 @@ uint putQuarter(BeamNode node, ivec2 quarter, float unit, inout float phase) {
            putTriangle(at[a], at[c], at[d], axis, scaled(light, 0.5), phase);
 }
 
+// A cell of a beam, one of `count` along its sides.
+uint putCell(BeamNode node, ivec2 cell, ivec2 count, float unit, inout float phase) {
+    int axis = axisOf(points[node.second.x].wave.xyz);
+    float fine = float(surface.size.w);
+    vec3 place[9]; // [fine voxel]
+    vec3 weight[9];
+#if SURFACE_FLOW == 1
+    vec3 travel[9];
+#endif
+    for (int i = 0; i < 9; ++i) {
+        BeamPoint point = points[pointOf(node, i)];
+        place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
+        weight[i] = point.weight.xyz;
+#if SURFACE_FLOW == 1
+        travel[i] = directionOf(point);
+#endif
+    }
+    vec2 size = 1.0 / vec2(count);
+    vec2 at = vec2(cell) * size;
+    vec3 a = valueIn(place, at);
+    vec3 b = valueIn(place, at + vec2(size.x, 0.0));
+    vec3 c = valueIn(place, at + size);
+    vec3 d = valueIn(place, at + vec2(0.0, size.y));
+    vec3 power = 0.5 * unit * size.x * size.y * max(valueIn(weight, at + 0.5 * size), vec3(0.0));
+#if SURFACE_FLOW == 1
+    Light light = lightOf(power, normalize(valueIn(travel, at + 0.5 * size)), params.map.yzw);
+#else
+    Light light = Light(power, vec3(0.0));
+#endif
+    return putTriangle(a, b, c, axis, light, phase) + putTriangle(a, c, d, axis, light, phase);
+}
+
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
-    if (item >= kParts * kParts * params.list.x) return;
-    uint entry = beams[item / (kParts * kParts)];
-    ivec2 part = ivec2(item % kParts, item / kParts % kParts);
-    BeamNode node = nodes[entry & 0x7FFFFFFFu];
-    uint middle = node.second.x;
+    if (item >= params.list.x) return;
+    // Those of beams come first, others from the list's end.
+    uvec2 task = cells[item < params.list.y ? item : params.list.z - 1u - (item - params.list.y)];
+    ivec4 part = ivec4(task.y & 255u, task.y >> 8 & 255u, task.y >> 16 & 255u, task.y >> 24);
+    BeamNode node = nodes[task.x & 0x7FFFFFFFu];
     float edge = float(node.place.z) / float(params.levels.x);
     float unit = params.limits.z * edge * edge;
-    float phase = uniformOf(pcgHash(uint(node.place.x) ^ pcgHash(uint(node.place.y) ^ pcgHash(16u * params.kind.w + item % (kParts * kParts)))));
-    int axis = axisOf(points[middle].wave.xyz);
-    float fine = float(surface.size.w);
+    uint which = uint(16 * part.y + part.x);
+    float phase = uniformOf(pcgHash(uint(node.place.x) ^ pcgHash(uint(node.place.y) ^ pcgHash(256u * params.kind.w + which))));
     uint deposits = 0u;
-    if (entry >= 0x80000000u) {
-        if (node.state.x == 1u) { // it came so from the interface before, and its middle is all there is
-            if (part == ivec2(0)) deposits = putPoint(points[middle], unit * uintBitsToFloat(node.state.z), phase);
-        } else if (all(lessThan(part, ivec2(2)))) {
-            deposits = putQuarter(node, part, unit, phase);
-        }
-    } else {
-        vec3 place[9]; // [fine voxel]
-        vec3 weight[9];
-#if SURFACE_FLOW == 1
-        vec3 travel[9];
-#endif
-        for (int i = 0; i < 9; ++i) {
-            BeamPoint point = points[pointOf(node, i)];
-            place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
-            weight[i] = point.weight.xyz;
-#if SURFACE_FLOW == 1
-            travel[i] = directionOf(point);
-#endif
-        }
-        // As many cells along each of its sides as it takes for them to be straight and of one density.
-        float carries = edge * edge * params.map.x * fine * fine * points[middle].weight.x;
-        float longest = carries < kFaint ? 1.0e9 : kLongest;
-        ivec2 cells = ivec2(cellsAlong(place, 1, 3, longest), cellsAlong(place, 3, 1, longest));
-        ivec2 each = (cells + kParts - 1) / kParts;
-        ivec2 from = part * each;
-        ivec2 to = min(from + each, cells);
-        vec2 size = 1.0 / vec2(cells);
-        vec3 amount = vec3(unit * size.x * size.y * 0.5);
-        ivec2 cell = from;
-        while (cell.y < to.y && cell.x < to.x) {
-            vec2 at = vec2(cell) * size;
-            vec3 a = valueIn(place, at);
-            vec3 b = valueIn(place, at + vec2(size.x, 0.0));
-            vec3 c = valueIn(place, at + size);
-            vec3 d = valueIn(place, at + vec2(0.0, size.y));
-            vec3 power = amount * max(valueIn(weight, at + 0.5 * size), vec3(0.0));
-#if SURFACE_FLOW == 1
-            Light light = lightOf(power, normalize(valueIn(travel, at + 0.5 * size)), params.map.yzw);
-#else
-            Light light = Light(power, vec3(0.0));
-#endif
-            deposits += putTriangle(a, b, c, axis, light, phase);
-            deposits += putTriangle(a, c, d, axis, light, phase);
-            bool ends = ++cell.x == to.x;
-            if (ends) cell = ivec2(from.x, cell.y + 1);
-        }
-    }
+    if (task.x < 0x80000000u) deposits = putCell(node, part.xy, part.zw, unit, phase);
+    else if (node.state.x == 1u) // it came so from the interface before, and its middle is all there is
+        deposits = putPoint(points[node.second.x], unit * uintBitsToFloat(node.state.z), phase);
+    else deposits = putQuarter(node, part.xy, unit, phase);
     atomicAdd(counts[kDepositCount], deposits);
 }

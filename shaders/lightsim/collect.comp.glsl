@@ -10,7 +10,7 @@
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { LayoutParams params; };
-layout(r32ui, binding = kSurfaceSumsImage) uniform readonly uimage3D sums;
+layout(std430, binding = kSurfaceSumsBuffer) readonly buffer SurfaceSums { uint sums[]; };
 layout(r32f, binding = kSurfacePowerImage) uniform image3D power; // [W], then that of flow
 
 void main() {
@@ -19,13 +19,13 @@ void main() {
     for (int c = 0; c < FLUENCE; ++c) {
         int from = number + (CHANNELS == 3 ? c : 0) * params.list.z;
         ivec3 to = surfaceTexel(number + c * params.list.z);
-        float sum = float(imageLoad(sums, surfaceTexel(from)).x) * params.weight[c];
+        float sum = float(sums[from]) * params.weight[c];
         imageStore(power, to, vec4(imageLoad(power, to).x + sum, 0.0, 0.0, 0.0));
     }
     for (int c = 0; c < 3 && SURFACE_FLOW == 1; ++c) { // the means of the channels, in halves
         int from = number + (CHANNELS + c) * params.list.z;
         ivec3 to = surfaceTexel(number + (FLUENCE + c) * params.list.z);
-        float sum = float(int(imageLoad(sums, surfaceTexel(from)).x)) * 2.0 * params.weight.w;
+        float sum = float(int(sums[from])) * 2.0 * params.weight.w;
         imageStore(power, to, vec4(imageLoad(power, to).x + sum, 0.0, 0.0, 0.0));
     }
 }

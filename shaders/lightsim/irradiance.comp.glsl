@@ -86,9 +86,10 @@ void main() {
     ivec3 low = edge * ivec3(place % params.size.x, place / params.size.x % params.size.y,
                              place / (params.size.x * params.size.y));
     int record = surfaceRecordOf(low / edge);
-    int number = int(surfaceRecords[record]);
-    for (int word = 0; word < int(surface.table.z) - 1; ++word) {
-        uint bits = surfaceRecords[record + 1 + word];
+    for (int word = 0; word < int(surface.table.z); ++word) {
+        uvec2 found = surfaceWord(record, word);
+        uint bits = found.x;
+        int number = int(found.y);
         while (bits != 0u) {
             int within = 32 * word + findLSB(bits);
             bits &= bits - 1u;

@@ -171,7 +171,6 @@ const int kFlatEdge = 4;
 
 void measure(ivec3 voxel) {
     int record = surfaceRecordOf(voxel);
-    uint number = surfaceRecords[record];
     float edge = 1.0 / float(params.size.w);
     Near near = nearTo(vec3(voxel));
     ObjectSet close = near.close;
@@ -179,8 +178,10 @@ void measure(ivec3 voxel) {
     bool atFace = isAtFace(vec3(voxel));
     // A curved surface is a plane in cubes of a quarter of a voxel, near enough.
     int parts = clamp(kFlatEdge / params.size.w, 1, kFlatEdge);
-    for (int word = 0; word < int(surface.table.z) - 1; ++word) {
-        uint bits = surfaceRecords[record + 1 + word];
+    for (int word = 0; word < int(surface.table.z); ++word) {
+        uvec2 found = surfaceWord(record, word);
+        uint bits = found.x;
+        uint number = found.y;
         while (bits != 0u) {
             vec3 x = middleOf(voxel, 32 * word + findLSB(bits));
             bits &= bits - 1u;

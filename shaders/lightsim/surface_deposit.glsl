@@ -9,7 +9,8 @@
 const bool kFlow = SURFACE_FLOW == 1;
 
 // A plane for each traced channel, one behind the other, then three of flow.
-layout(r32ui, binding = kSurfaceSumsImage) uniform uimage3D surfaceSums;
+// In a buffer: software devices add to one in an eighth of what adding to an image takes.
+layout(std430, binding = kSurfaceSumsBuffer) buffer SurfaceSums { uint surfaceSums[]; };
 
 const uint kMissedSurface = 0xFFFFFFFFu;
 
@@ -43,14 +44,13 @@ uint putOnSurface(ivec3 fine, ivec3 along, Light light, inout float phase) {
     for (int c = 0; c < CHANNELS; ++c) {
         uint whole = uint(light.power[c] + phase);
         if (whole > 0u) {
-            ivec3 texel = surfaceTexel(number + c * int(surface.table.w));
-            fullest = max(fullest, imageAtomicAdd(surfaceSums, texel, whole));
+            fullest = max(fullest, atomicAdd(surfaceSums[number + c * int(surface.table.w)], whole));
         }
     }
     // Half of it: signed sums end halfway.
     for (int c = 0; c < 3 && kFlow; ++c) {
-        ivec3 texel = surfaceTexel(number + (CHANNELS + c) * int(surface.table.w));
-        imageAtomicAdd(surfaceSums, texel, uint(int(floor(0.5 * light.flow[c] + phase))));
+        int at = number + (CHANNELS + c) * int(surface.table.w);
+        atomicAdd(surfaceSums[at], uint(int(floor(0.5 * light.flow[c] + phase))));
     }
     return fullest;
 }

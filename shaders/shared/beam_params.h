@@ -75,7 +75,9 @@ const int kDepositCount = 5;
 const int kMissedCount = 6; // parts that fell beside every surface voxel
 const int kNextWays = 7; // bits of the ways that any of those that go on takes
 const int kCulledCount = 8; // that lead to no surface that receives
-const int kBeamCounts = 9;
+const int kCellCount = 9;       // cells of beams to be laid down
+const int kBrokenCellCount = 10; // quarters and points of what is no beam
+const int kBeamCounts = 11;
 
 // Books: power by what became of it, in kBookSlots parts of three channels.
 const int kBookEntered = 0;

@@ -9,10 +9,6 @@ const int kFieldBlock = 3;     // FieldParams
 const int kSceneBlock = 4;     // SceneParams
 const int kSurfaceBlock = 5;   // SurfaceParams
 
-// Storage buffers of the transport core.
-const int kSurfaceTableBuffer = 11;   // finds the records of voxels that have surface voxels
-const int kSurfaceRecordsBuffer = 12; // which of a voxel's fine ones those are
-
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
 const int kDistancesUnit = 9;    // spline coefficients of signed distances, by blocks of cells [voxel]
@@ -24,6 +20,8 @@ const int kEmissionsUnit = 14;   // [radiance/voxel]
 const int kBlocksUnit = 15;      // where each object's blocks of cells lie among the distances
 const int kSetsUnit = 16;        // of many objects: sets of those near a cube and of those that hold it
 const int kVoxelBlocksUnit = 17; // where blocks of voxels lie in textures of them
+const int kSurfaceTableUnit = 20;   // finds the records of voxels that have surface voxels
+const int kSurfaceRecordsUnit = 21; // which of a voxel's fine ones those are, and their numbers
 
 // view: textures of blurred media, of light, of what surrounds the scene.
 const int kIrradianceUnit = 0;  // on opaque surfaces, by surface voxels' numbers [W/m²]
@@ -70,12 +68,14 @@ const int kNodesBuffer = 3;          // BeamNode
 const int kBeamsBuffer = 4;          // nodes to be laid down
 const int kSplitsBuffer = 5;         // nodes to be split
 const int kNextNodesBuffer = 6;      // BeamNode: children, or those that go on from an interface
+const int kCellsBuffer = 6;          // beam_cut.comp, beam_deposit.comp: cells of beams
 const int kBeamCountsBuffer = 7;     // see beam_params.h
 const int kBooksBuffer = 8;          // power by what became of it, fixed point
 const int kWantedBuffer = 9;         // points that go on
 const int kParentObjectsBuffer = 13; // of many objects: those that each parent is in
 const int kSlotsBuffer = 14;         // where points that go on are in the list of them
 const int kReceivingBuffer = 15;     // bricks of 8³ voxels that hold surface voxels, bits
+const int kSurfaceSumsBuffer = 12;   // fixed-point sums of surface voxels, plane by plane
 const int kVoxelListBuffer = 0;      // voxels of the domain to look at
 const int kMasksBuffer = 1;          // which of their fine voxels opaque surfaces cross
 const int kSurfacePointsBuffer = 0;  // points of surfaces that are asked for their light
@@ -83,7 +83,6 @@ const int kPointLightsBuffer = 1;    // what they get
 const int kAreasBuffer = 2;          // of each surface voxel: area [face of a voxel], normal
 
 // lightsim: images of surface voxels, by rows.
-const int kSurfaceSumsImage = 3;  // fixed-point sums
 const int kSurfacePowerImage = 4; // [W]
 const int kIrradianceImage = 5;   // [W/m²]
 

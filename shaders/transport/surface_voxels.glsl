@@ -1,15 +1,22 @@
 // Fine voxels that opaque surfaces cross, each with a number: light on surfaces is stored by it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table by hash finds the record of a voxel of the domain that has any. The record holds the number of
-// the first of them, and a bit for each of its fine voxels, x fastest.
+// A table by hash finds the record of a voxel of the domain that has any. The record has a word for every 32
+// of its fine voxels, x fastest: a bit for each that is one, and the number of the first of those. Both lie in
+// textures: software devices read those for all lanes of a vector at once, buffers lane by lane.
 #include "shared/bindings.h"
 #include "shared/limits.h"
 #include "shared/surface_params.h"
 
 layout(std140, binding = kSurfaceBlock) uniform Surface { SurfaceParams surface; };
-layout(std430, binding = kSurfaceTableBuffer) readonly buffer SurfaceTable { uvec2 surfaceTable[]; };
-layout(std430, binding = kSurfaceRecordsBuffer) readonly buffer SurfaceRecords { uint surfaceRecords[]; };
+layout(binding = kSurfaceTableUnit) uniform usampler3D surfaceTable;     // a voxel's place, its record
+layout(binding = kSurfaceRecordsUnit) uniform usampler3D surfaceRecords; // words of records
+
+// Where what is stored by number lies in a texture of lists.
+ivec3 surfaceTexel(int number) {
+    const int row = (1 << kRowBits) - 1;
+    return ivec3(number & row, number >> kRowBits & row, number >> 2 * kRowBits);
+}
 
 // The fine voxel that holds x [voxel].
 ivec3 fineVoxelAt(vec3 x) {
@@ -20,12 +27,17 @@ ivec3 fineVoxelAt(vec3 x) {
 int surfaceRecordOf(ivec3 voxel) {
     uint key = uint(voxel.x + surface.size.x * (voxel.y + surface.size.y * voxel.z));
     uint slot = key * 2654435769u >> surface.table.y;
-    uvec2 entry = surfaceTable[slot];
+    uvec2 entry = texelFetch(surfaceTable, surfaceTexel(int(slot)), 0).xy;
     while (entry.x != key && entry.x != kNoVoxel) {
         slot = (slot + 1u) & surface.table.x;
-        entry = surfaceTable[slot];
+        entry = texelFetch(surfaceTable, surfaceTexel(int(slot)), 0).xy;
     }
     return entry.x == key ? int(entry.y) : -1;
+}
+
+// The bits of a word of a record, and the number of the first of them.
+uvec2 surfaceWord(int record, int word) {
+    return texelFetch(surfaceRecords, surfaceTexel(record + word), 0).xy;
 }
 
 // The number of a fine voxel, or −1 where no opaque surface crosses it.
@@ -38,18 +50,9 @@ int surfaceVoxelOf(ivec3 fine) {
     if (record < 0) return -1;
     ivec3 within = fine - voxel * edge;
     int place = (within.z * edge + within.y) * edge + within.x;
-    uint bits = surfaceRecords[record + 1 + (place >> 5)];
+    uvec2 word = surfaceWord(record, place >> 5);
     uint bit = 1u << (place & 31);
-    if ((bits & bit) == 0u) return -1;
-    uint before = uint(bitCount(bits & (bit - 1u)));
-    for (int word = 0; word < place >> 5; ++word) before += uint(bitCount(surfaceRecords[record + 1 + word]));
-    return int(surfaceRecords[record] + before);
-}
-
-// Where what is stored by number lies in a texture of lists.
-ivec3 surfaceTexel(int number) {
-    const int row = (1 << kRowBits) - 1;
-    return ivec3(number & row, number >> kRowBits & row, number >> 2 * kRowBits);
+    return (word.x & bit) == 0u ? -1 : int(word.y) + bitCount(word.x & (bit - 1u));
 }
 
 // The axis along which a surface's columns of fine voxels lie: its normal's longest.

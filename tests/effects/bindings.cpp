@@ -27,8 +27,9 @@ std::vector<Owned> viewBindings() {
             {"emission beside lobes", of({}, {}, {kEmissionUnit})},
             {"environment map", of({}, {}, {kEnvironmentUnit})},
             // What light falls on a surface is looked up there.
-            {"opaque surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer},
-                                  {kOpacityUnit, kIrradianceUnit})},
+            {"opaque surface",
+             of({kSurfaceBlock}, {},
+                {kOpacityUnit, kIrradianceUnit, kSurfaceTableUnit, kSurfaceRecordsUnit})},
             {"points", of({}, {}, {kPointPlacesUnit, kPointLightsUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
@@ -45,7 +46,7 @@ std::vector<Owned> sharpViewBindings() {
             {"several objects", of({}, {}, {kNearbyUnit})},
             {"many objects", of({}, {}, {kSetsUnit})},
             {"opaque object",
-             of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer}, {kIrradianceUnit})},
+             of({kSurfaceBlock}, {}, {kIrradianceUnit, kSurfaceTableUnit, kSurfaceRecordsUnit})},
             {"points", of({}, {}, {kPointPlacesUnit, kPointLightsUnit})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
@@ -60,8 +61,8 @@ std::vector<Owned> photonBindings() {
         {"colour", of({}, {}, {kScatteringUnit})},
         {"direction", {}},
         {"opaque surface", of({}, {}, {kOpaqueUnit})},
-        {"lit surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer},
-                           {kOpacityFieldUnit}, {kSurfaceSumsImage})}};
+        {"lit surface", of({kSurfaceBlock}, {kSurfaceSumsBuffer},
+                           {kOpacityFieldUnit, kSurfaceTableUnit, kSurfaceRecordsUnit})}};
 }
 
 std::vector<Owned> sharpPhotonBindings() {
@@ -72,8 +73,8 @@ std::vector<Owned> sharpPhotonBindings() {
             {"direction", {}},
             {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
             {"several objects", of({}, {}, {kNearbyUnit})},
-            {"lit surface", of({kSurfaceBlock}, {kSurfaceTableBuffer, kSurfaceRecordsBuffer}, {},
-                               {kSurfaceSumsImage})},
+            {"lit surface",
+             of({kSurfaceBlock}, {kSurfaceSumsBuffer}, {kSurfaceTableUnit, kSurfaceRecordsUnit})},
             {"many objects", of({}, {kObjectsBuffer}, {kSetsUnit})}};
 }
 
