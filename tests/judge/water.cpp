@@ -46,22 +46,6 @@ void requireOneWay(const Water& water) {
         throw std::invalid_argument("the floor is not below the waves");
 }
 
-/// Whether the box stands between the light and x.
-bool isShadowed(const Water& water, const dvec3& x, const dvec3& d) {
-    if (water.boxLow == water.boxHigh) return false;
-    double enter = 0, leave = 1e300;
-    for (int k = 0; k < 3; ++k) {
-        if (d[k] == 0) {
-            if (x[k] < water.boxLow[k] || x[k] > water.boxHigh[k]) return false;
-            continue;
-        }
-        const double a = (x[k] - water.boxLow[k]) / d[k], b = (x[k] - water.boxHigh[k]) / d[k];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-    }
-    return enter < leave;
-}
-
 /// A ray as Snell's law has it in the water, and the share of its power that gets there.
 struct Refracted {
     dvec3 direction;
@@ -95,6 +79,21 @@ dvec3 Water::normal(const dvec2& at) const {
     return glm::normalize(dvec3(-s.x, 1, -s.y));
 }
 
+bool meetsBox(const Water& water, const dvec3& x, const dvec3& d, double end) {
+    if (water.boxLow == water.boxHigh) return false;
+    double enter = 0, leave = end;
+    for (int k = 0; k < 3; ++k) {
+        if (d[k] == 0) {
+            if (x[k] < water.boxLow[k] || x[k] > water.boxHigh[k]) return false;
+            continue;
+        }
+        const double a = (water.boxLow[k] - x[k]) / d[k], b = (water.boxHigh[k] - x[k]) / d[k];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter < leave;
+}
+
 double irradianceUnderFlat(const Water& water) {
     const dvec3 d = glm::normalize(water.direction);
     return -d.y * (1 - reflectance(water.index, -d.y).mean());
@@ -108,7 +107,7 @@ void irradianceUnder(const Water& water, Texels& texels, Weighing weighing, doub
     const auto map = [&](const dvec2& at) {
         const dvec3 x(at.x, water.height(at), at.y);
         Landing landing;
-        if (isShadowed(water, x, d)) return landing;
+        if (meetsBox(water, x, -d, 1e300)) return landing;
         const dvec2 slope = water.slope(at);
         const dvec3 up(-slope.x, 1, -slope.y);
         const Refracted ray = refract(water, d, glm::normalize(up));

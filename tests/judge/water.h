@@ -44,6 +44,9 @@ enum class Weighing {
 void irradianceUnder(const Water& water, Texels& texels, Weighing weighing = Weighing::exact,
                      double bend = Patching{}.bend);
 
+/// Whether the ray x + t d meets the box before t = `end`.
+bool meetsBox(const Water& water, const dvec3& x, const dvec3& d, double end);
+
 /// The floor's irradiance under flat water, far from the box: Snell and Fresnel.
 double irradianceUnderFlat(const Water& water);
 
