@@ -1,2 +1,2 @@
-#Lit floors against exact pictures of them; pipelines / caustic_compare.mk calls the program.
-eikonal_program(caustic SOURCES caustic / main.cpp caustic / compare.cpp LIBRARIES judge)
+# Lit floors against exact pictures of them; pipelines/caustic_compare.mk calls the program.
+eikonal_program(caustic SOURCES caustic/main.cpp caustic/compare.cpp LIBRARIES judge)
