@@ -49,7 +49,9 @@ Errors errorsOf(const Image& picture, const Image& exact, judge::Meets meets) {
     for (size_t i = 0; i < wanted.size(); ++i) {
         if (!counts(i)) continue;
         const double off = found[i] - wanted[i];
-        squares += off * off / (double{wanted[i]} * wanted[i] + tenth * tenth);
+        const double square = off * off / (double{wanted[i]} * wanted[i] + tenth * tenth);
+        squares += square;
+        errors.within += (square <= 0.05 * 0.05) / static_cast<double>(errors.pixels);
     }
     errors.error = std::sqrt(squares / errors.pixels);
     errors.energy = foundSum / sum - 1;

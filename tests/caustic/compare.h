@@ -14,6 +14,7 @@ eikonal::image::Image imageOf(const judge::Picture& picture, const judge::View& 
 struct Errors {
     int pixels = 0;
     double error = 0;  ///< root mean square of (I − R) / √(R² + (0.1 mean R)²)
+    double within = 0; ///< share of pixels where that ratio is at most a twentieth
     double energy = 0; ///< mean I over mean R, less 1
 };
 

@@ -46,7 +46,9 @@ int main(int argc, char** argv) {
     make->add_option("--size", size, "as render's")->required()->expected(2)->delimiter('x');
     make->add_option("--irradiance", irradiance, "of the light, across its direction");
     auto* compare = app.add_subcommand(
-        "compare", "prints errors [%] and energy [%] on the floor and on what is seen through");
+        "compare",
+        "prints the error, how many pixels are within 5 %, and the energy, on the floor and on "
+        "what is seen through");
     compare->add_option("picture", picture, "EXR")->required();
     compare->add_option("exact", exact, "EXR that `exact` wrote")->required();
     CLI11_PARSE(app, argc, argv);
@@ -64,8 +66,8 @@ int main(int argc, char** argv) {
                                           std::pair("through", judge::Meets::through)}) {
             const caustic::Errors errors = caustic::errorsOf(found, wanted, meets);
             if (errors.pixels)
-                std::printf("%s %d pixels, error %.2f %%, energy %+.2f %%\n", name, errors.pixels,
-                            100 * errors.error, 100 * errors.energy);
+                std::printf("%s: error %.2f %%, within 5 %% %.2f %%, energy %+.2f %%\n", name,
+                            100 * errors.error, 100 * errors.within, 100 * errors.energy);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "caustic: error: %s\n", error.what());

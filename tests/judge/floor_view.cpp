@@ -106,8 +106,9 @@ double nextWave(const Water& water, double high, const dvec3& x, const dvec3& d)
         return p.y - water.height({p.x, p.z});
     };
     // Steps that are short beside every wave, from where the waves may begin.
-    constexpr double kStep = 0.02, kClear = 1e-6;
-    double from = d.y < 0 ? std::max((high - x.y) / d.y, kClear) : kClear;
+    constexpr double kStep = 0.02, kClear = 1e-6, kFar = 100;
+    const double start = d.y < 0 ? std::max((high - x.y) / d.y, kClear) : kClear;
+    double from = start;
     double before = above(from);
     while (true) {
         const double to = from + kStep, after = above(to);
@@ -121,7 +122,7 @@ double nextWave(const Water& water, double high, const dvec3& x, const dvec3& d)
             return t;
         }
         if (d.y >= 0 && x.y + to * d.y > high) return -1;
-        if (to > 100) return -1;
+        if (to - start > kFar) return -1; // a level ray above all waves
         from = to, before = after;
     }
 }

@@ -1,7 +1,6 @@
 // The judge's light on floors against what is solved on paper, and against rays at random.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "judge/caustic.h"
-#include "judge/water.h"
+#include "judge/floor_view.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -190,4 +189,78 @@ TEST(BallOverPlane, PatchesBringWhatRaysBring) {
         mean += counted[i] / static_cast<double>(counted.size());
     }
     EXPECT_NEAR(texels.mean(), mean, 2e-4);
+}
+
+TEST(FloorView, ABallOfNoIndexIsNotSeen) {
+    BallOverPlane scene;
+    scene.index = 1;
+    View view;
+    view.width = 64, view.rows = 48, view.strata = 2;
+    Floor floor;
+    floor.fine = 64;
+    const Picture picture = pictureOf(scene, floor, view);
+    const double lit = 0.8 / std::numbers::pi / glm::length(dvec3(0.3, 1, 0.2));
+    int bodies = 0, floors = 0;
+    for (size_t i = 0; i < picture.radiance.size(); ++i) {
+        bodies += picture.met[i] == Meets::through;
+        floors += picture.met[i] == Meets::floor;
+        // Texels on the shadow's edge have it taken away and given back by other patches.
+        if (picture.met[i] != Meets::floor) continue;
+        EXPECT_NEAR(picture.radiance[i], lit, 0.02 * lit);
+    }
+    EXPECT_GT(bodies, 300);
+    EXPECT_GT(floors, 1000);
+    EXPECT_NEAR(picture.radiance[46 * 64 + 32], lit, 1e-3 * lit);
+    EXPECT_EQ(picture.radiance[0], 0); // above the floor's end
+    // Through its middle the floor is seen as beside it.
+    EXPECT_EQ(picture.met[30 * 64 + 32], Meets::through);
+    EXPECT_NEAR(picture.radiance[30 * 64 + 32], lit, 0.02 * lit);
+}
+
+TEST(FloorView, FlatWaterDimsTheFloorBySnellAndFresnel) {
+    Water water;
+    water.waves = {{1e-12, {1, 0}, 0}};
+    View view;
+    view.eye = {0, 2, 0.001}, view.target = {0, 0, 0}, view.fov = 1;
+    view.width = view.rows = 8, view.strata = 2;
+    Floor floor;
+    floor.extent = 1, floor.fine = 32;
+    const Picture picture = pictureOf(water, floor, view);
+    const double n = 1.33, across = 4 * n / ((n + 1) * (n + 1));
+    const double wanted = across / (n * n) * 0.8 / std::numbers::pi * irradianceUnderFlat(water);
+    for (double radiance : picture.radiance) EXPECT_NEAR(radiance, wanted, 1e-4 * wanted);
+}
+
+TEST(FloorView, WavesShowTheFloorWhereRaysMeetIt) {
+    Water water;
+    water.boxLow = {-0.5, 0.2, -0.3}, water.boxHigh = {-0.1, 0.3, 0.1};
+    View view;
+    view.eye = {0.3, 4e4, 1e-3}, view.target = {0.3, 0, 0}, view.fov = 2e-3; // upright rays
+    view.width = view.rows = 32, view.strata = 1;
+    Floor floor;
+    floor.extent = 1.5, floor.fine = 64;
+    const Picture picture = pictureOf(water, floor, view);
+    Texels light({-1.5, -1.5}, {1.5, 1.5}, 64);
+    irradianceUnder(water, light);
+    const double pixel = 2 * 4e4 * std::tan(1e-3 * std::numbers::pi / 180) / 32;
+    int all = 0, told = 0, dark = 0;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+            const size_t i = static_cast<size_t>(32 * y + x);
+            if (picture.met[i] != Meets::through) continue;
+            const dvec2 at(0.3 + (x - 15.5) * pixel, (y - 15.5) * pixel);
+            const dvec3 n = water.normal(at);
+            const double incidence = std::acos(n.y), inside = std::asin(std::sin(incidence) / 1.33);
+            const dvec2 downhill = incidence > 1e-9 ? -glm::normalize(dvec2(n.x, n.z)) : dvec2(0);
+            const dvec2 end =
+                at + (water.height(at) - water.floor) * std::tan(incidence - inside) * downhill;
+            const double wanted = transmitted(incidence, 1.33) / (1.33 * 1.33) * 0.8 /
+                                  std::numbers::pi * light.at(end);
+            dark += wanted < 0.05;
+            ++all;
+            told += std::abs(picture.radiance[i] - wanted) < 1e-4 * wanted + 1e-9;
+        }
+    EXPECT_GT(dark, 4); // beside the box, which hides most of it
+    EXPECT_GT(all, 800);
+    EXPECT_GT(told, all - 10); // of those on a texel's edge rounding may take the next one
 }
