@@ -44,7 +44,7 @@ $(WORK)/ball_floor.obj: $(HERE)/floor.awk | $(WORK)
 
 # Its sides are so far off that what goes through them does not come to what is seen.
 $(WORK)/water.obj: $(HERE)/water.awk | $(WORK)
-	awk -v half=2 -v bottom=-0.42 -v n=384 -f $< >$@
+	awk -v half=2 -v bottom=-0.42 -v n=128 -f $< >$@
 
 $(WORK)/water_floor.obj: $(HERE)/floor.awk | $(WORK)
 	awk -v x0=-2.1 -v y0=-0.5 -v z0=-2.1 -v x1=2.1 -v y1=-0.4 -v z1=2.1 -f $< >$@

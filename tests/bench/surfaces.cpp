@@ -53,19 +53,20 @@ double distanceTo(const judge::Water& water, const glm::dvec3& x) {
 }
 
 // Water with waves over [−1.5, 1.5]², so that what goes through its sides does not come to the
-// measured part, and a box above it.
-Case waterOverFloor() {
+// measured part, with or without a box above it.
+Case waterOverFloor(bool box) {
     judge::Water water;
-    water.boxLow = {-0.5, 0.2, -0.3}, water.boxHigh = {-0.1, 0.3, 0.1};
+    if (box) water.boxLow = {-0.5, 0.2, -0.3}, water.boxHigh = {-0.1, 0.3, 0.1};
     const int half = 3 * kUnit / 2, size = 2 * (half + kPad);
     const auto voxelOf = [&](const glm::dvec3& x) {
         return (x - glm::dvec3(0, water.floor, 0)) * static_cast<double>(kUnit) +
                glm::dvec3(size / 2, kFloor, size / 2);
     };
     const judge::Solid sides = judge::glassBox({kPad, 0, kPad}, {size - kPad, 1e3, size - kPad}, 1);
-    const judge::Glass glass{{judge::glassBox(glm::dvec3(0), glm::dvec3(1), water.index),
-                              judge::glassBox(glm::dvec3(-20), {size + 20, kFloor, size + 20}, 1),
-                              judge::glassBox(voxelOf(water.boxLow), voxelOf(water.boxHigh), 1)}};
+    judge::Glass glass{{judge::glassBox(glm::dvec3(0), glm::dvec3(1), water.index),
+                        judge::glassBox(glm::dvec3(-20), {size + 20, kFloor, size + 20}, 1)}};
+    if (box)
+        glass.solids.push_back(judge::glassBox(voxelOf(water.boxLow), voxelOf(water.boxHigh), 1));
     sharp::Voxels voxels;
     voxels.size = {size, 64, size};
     voxels.halfWidth = 4;
@@ -73,10 +74,10 @@ Case waterOverFloor() {
         const glm::dvec3 x = (p - voxelOf(glm::dvec3(0))) / static_cast<double>(kUnit);
         return std::max(kUnit * distanceTo(water, x), sharp::distanceTo(sides, p));
     });
-    Case made{"water", sharp::volumeOf(glass, voxels),
+    Case made{box ? "water and a box" : "water", sharp::volumeOf(glass, voxels),
               lightsim::parseLight("directional:-0.25,-1,0.15"), size / 2 - kUnit};
     made.volume.putConstant("opacity.S1", glm::vec3(1));
-    made.volume.putConstant("opacity.S2", glm::vec3(1));
+    if (box) made.volume.putConstant("opacity.S2", glm::vec3(1));
     judge::irradianceUnder(water, made.exact);
     return made;
 }
@@ -139,7 +140,8 @@ Json measureSurfaces(const Settings& settings) {
             rows.push_back(measure(device, scene, "photons", lightsim::Method::photons, power));
     };
     measureAll(ballOverFloor());
-    measureAll(waterOverFloor());
+    measureAll(waterOverFloor(false));
+    measureAll(waterOverFloor(true));
     return rows;
 }
 

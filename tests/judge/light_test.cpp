@@ -166,6 +166,22 @@ TEST(Water, ItsCausticsAreThoseOfRays) {
     EXPECT_NEAR(texels.mean(), counted.mean(), 3e-4);
 }
 
+TEST(Water, TheCosineUnderFlatWaterIsNearlyThatOfEveryRay) {
+    // docs/light-methods.md has the figures.
+    Texels exact({-1, -1}, {1, 1}, 128), flat = exact;
+    irradianceUnder(Water{}, exact);
+    irradianceUnder(Water{}, flat, Weighing::flatCosine);
+    double squares = 0, most = 0;
+    for (size_t i = 0; i < exact.values.size(); ++i) {
+        const double off = flat.values[i] / exact.values[i] - 1;
+        squares += off * off / static_cast<double>(exact.values.size());
+        most = std::max(most, std::abs(off));
+    }
+    EXPECT_NEAR(std::sqrt(squares), 0.0065, 1e-4);
+    EXPECT_NEAR(most, 0.017, 1e-3);
+    EXPECT_NEAR(flat.mean() / exact.mean(), 1.0009, 1e-4);
+}
+
 TEST(Water, WavesThatLightMeetsTwiceAreRefused) {
     Water water;
     water.waves = {{0.1, {10, 0}, 0}};
