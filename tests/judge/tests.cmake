@@ -1,6 +1,7 @@
 # A reference in double precision, which shares no code with libcore or the shaders: that is why
 # its own test links neither.
-add_library(judge STATIC judge/media.cpp judge/texels.cpp judge/caustic.cpp judge/water.cpp judge/floor_view.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
+add_library(judge STATIC judge/media.cpp judge/texels.cpp judge/caustic.cpp judge/water.cpp
+                         judge/floor_view.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
                          judge/photons.cpp judge/glass.cpp judge/glass_photons.cpp
                          judge/revolved.cpp)
 target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
