@@ -1,7 +1,9 @@
-# A ball of radius 0.5 as OBJ, fine enough that its facets are not seen: 512 by 256 of them.
+# A ball of radius 0.5 as OBJ, fine enough that its facets are not seen: 512 by 256 of them, or
+# -v around=... by -v down=...
 # SPDX-License-Identifier: GPL-3.0-or-later
 BEGIN {
-    pi = atan2(0, -1); around = 512; down = 256; r = 0.5
+    pi = atan2(0, -1); r = 0.5
+    if (!around) { around = 512; down = 256 }
     printf "v 0 %.9g 0\n", r
     for (j = 1; j < down; ++j)
         for (i = 0; i < around; ++i) {

@@ -42,7 +42,8 @@ Json measureSharp(const Settings& settings);
 Json measureStages(const Settings& settings);
 /// Steps and error of the fluence under the octree's options, at 64³.
 Json measureSteps(const Settings& settings);
-/// Irradiance on the floor under a ball of glass, by beams and by photons, against exact rays.
+/// Irradiance on a floor under a ball of glass and under waves, by beams and by photons, against the
+/// exact one.
 Json measureSurfaces(const Settings& settings);
 /// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.
 Json measureTables(const Settings& settings);

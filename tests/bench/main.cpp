@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
         }
         if (parts.find("surfaces") != parts.npos) {
             result["surfaces"] = measureSurfaces(settings);
-            printTable("light on a floor under a ball of glass", result["surfaces"]);
+            printTable("light on a floor under a ball of glass and under waves", result["surfaces"]);
         }
         if (parts.find("tables") != parts.npos) {
             result["tables"] = measureTables(settings);

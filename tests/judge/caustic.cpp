@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 #include <thread>
 
@@ -33,7 +34,66 @@ double reflectanceAt(double cosOutside, double cosInside, double n) {
     return 0.5 * (s * s + p * p);
 }
 
+/// Where the light of one order lands; order −1 is what would go straight on.
+class Orders {
+public:
+    Orders(const BallOverPlane& scene, int order)
+        : mScene(scene), mOrder(order), mAlong(glm::normalize(scene.direction)),
+          mU(glm::normalize(glm::cross(mAlong, dvec3(1, 0, 0)))), mV(glm::cross(mU, mAlong)) {}
+
+    /// By the angle of incidence and the angle round the axis.
+    Landing operator()(const dvec2& angles) const {
+        const double r = mScene.radius, n = mScene.index;
+        const double outside = std::cos(angles.x), sine = std::sin(angles.x);
+        const dvec3 aside = std::cos(angles.y) * mU + std::sin(angles.y) * mV;
+        const dvec3 normal = sine * aside - outside * mAlong;
+        const double light = r * r * sine * outside;
+        if (mOrder < 0) return landing(r * normal, mAlong, light);
+        const double inside = std::sqrt(1 - sine * sine / (n * n));
+        const double mirrored = reflectanceAt(outside, inside, n);
+        if (mOrder == 0)
+            return landing(r * normal, mAlong + 2 * outside * normal, light * mirrored);
+        dvec3 x = r * normal, w = mAlong / n + (outside / n - inside) * normal;
+        double share = (1 - mirrored) * (1 - mirrored);
+        for (int k = 1;; ++k) {
+            x += 2 * r * inside * w;
+            const dvec3 out = x / r;
+            if (k == mOrder) return landing(x, n * w + (outside - n * inside) * out, light * share);
+            share *= mirrored;
+            w -= 2 * glm::dot(w, out) * out;
+        }
+    }
+
+private:
+    Landing landing(const dvec3& x, const dvec3& d, double density) const {
+        // Rays nearly level come down far beyond any texel.
+        if (d.y >= -1e-3 || x.y <= mScene.height) return {};
+        const dvec3 at = x + (mScene.height - x.y) / d.y * d;
+        return {{at.x, at.z}, density, true};
+    }
+
+    const BallOverPlane& mScene;
+    int mOrder;
+    dvec3 mAlong, mU, mV;
+};
+
 } // namespace
+
+void irradianceUnder(const BallOverPlane& scene, Texels& texels, double bend) {
+    constexpr int kOrders = 9;
+    const double area = texels.edge * texels.edge;
+    Patching how;
+    how.cells = {128, 256};
+    how.bend = bend;
+    const dvec2 low(0), high(0.5 * std::numbers::pi, 2 * std::numbers::pi);
+    texels.values.assign(texels.values.size(), 0);
+    layPatches(texels, low, high, how, Orders(scene, -1));
+    const double open = -glm::normalize(scene.direction).y * area;
+    for (double& power : texels.values) power = open - power;
+    for (int order = 0; order <= kOrders; ++order)
+        layPatches(texels, low, high, how, Orders(scene, order));
+    for (double& power : texels.values) power /= area;
+}
 
 std::vector<double> irradianceUnder(const BallOverPlane& scene, int strata) {
     const size_t count = static_cast<size_t>(scene.texels) * static_cast<size_t>(scene.texels);

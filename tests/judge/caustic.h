@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "judge/texels.h"
 #include "judge/trace.h"
 
 #include <vector>
@@ -19,5 +20,9 @@ struct BallOverPlane {
 /// Irradiance on the plane's texels, with the shadow, what goes through the ball after any number
 /// of inner reflections, and what it mirrors. `strata`² jittered rays cover the light.
 std::vector<double> irradianceUnder(const BallOverPlane& scene, int strata);
+
+/// The same on any texels of the plane, whatever the scene's are, without noise: each order of
+/// reflection is laid down by patches, the first ten of them: the others have 1e-5 of the light.
+void irradianceUnder(const BallOverPlane& scene, Texels& texels, double bend = Patching{}.bend);
 
 } // namespace judge

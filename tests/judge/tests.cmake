@@ -1,6 +1,7 @@
 # A reference in double precision, which shares no code with libcore or the shaders: that is why
 # its own test links neither.
-add_library(judge STATIC judge/media.cpp judge/caustic.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
+add_library(judge STATIC judge/media.cpp judge/texels.cpp judge/caustic.cpp judge/water.cpp
+                         judge/floor_view.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
                          judge/photons.cpp judge/glass.cpp judge/glass_photons.cpp
                          judge/revolved.cpp)
 target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
@@ -10,7 +11,7 @@ target_link_libraries(judge PUBLIC Threads::Threads)
 target_compile_options(judge PRIVATE $<$<CONFIG:Release>:-O2>)
 
 add_executable(test_judge judge/trace_test.cpp judge/snell_test.cpp judge/glass_test.cpp
-                          judge/revolved_test.cpp)
+                          judge/revolved_test.cpp judge/light_test.cpp)
 target_link_libraries(test_judge PRIVATE judge GTest::gtest_main)
 target_precompile_headers(test_judge REUSE_FROM test_headers)
 eikonal_run(test_judge COMMAND test_judge --gtest_filter=-Fluence.MeetsTheCount*)
