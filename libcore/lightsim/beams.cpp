@@ -15,11 +15,13 @@ namespace {
 using glm::dvec3;
 using glm::ivec2;
 
-// A cell of the coarsest level is split so often at most.
-constexpr int kLevels = kMostBeamLevels;
+// A cell is split so often at most.
 
 // Cells along an edge of a batch: its points take some tens of MB with those of split cells.
-constexpr int kBatchCells = 256;
+constexpr int kBatchCells = 512;
+
+// Cells along an edge of one that the map starts with.
+constexpr int kStart = 1 << kAimedLevels;
 
 // Most points of one kind of path that are kept at a time; beyond, cells are split in parts.
 constexpr std::int64_t kMostPoints = 3 << 18;
@@ -33,8 +35,12 @@ constexpr int kWidest = 96;
 // What --photons asks for, per cell of the coarsest level: a beam does the work of so many.
 constexpr std::int64_t kPhotonsPerCell = 64;
 
-// Most cells of the coarsest level that --photons auto takes; it takes one a voxel.
+// The edge of a cell [voxel], and most cells, that --photons auto takes where the map is aimed at.
+constexpr double kCellEdge = 1;
 constexpr std::int64_t kMostCells = 1 << 16;
+
+// The least part of a map that it is aimed at: elsewhere there are as many starting cells, then.
+constexpr double kLeastAim = 1.0 / (kStart * kStart);
 
 // Beams cut into cells at a time, each into 16 by 16 at most.
 constexpr std::uint32_t kBeamsPerCut = 1 << 13;
@@ -105,7 +111,14 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
       mMapCells(cellsOf(params)), mSeed(params.seed),
-      mManyObjects(scene::areMany(plan.scene.objects)) {
+      mManyObjects(scene::areMany(plan.scene.objects)),
+      mAimsEverywhere(!plan.scene.sharp || plan.bends) {
+    for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
+        const volume::IndexBox& box = plan.scene.objects[k].inside;
+        if (box.empty()) continue;
+        mBodies.push_back(
+            {{dvec3(box.min) - 1.0, dvec3(box.max) + 1.0}, plan.scene.regions[k].opaque});
+    }
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
     mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
@@ -114,9 +127,47 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     mParams.right.w = static_cast<float>(params.shadowCull);
 }
 
+/// Boxes of bodies as a window sees them: corners in its own coordinates. More than kMostAims
+/// become one; a map that is aimed at everywhere has its whole window.
+std::vector<glm::dvec4> Beams::aimsIn(const Window& window) const {
+    const glm::dvec4 whole(window.low, window.low + window.extent);
+    if (mAimsEverywhere) return {whole};
+    std::vector<glm::dvec4> aims;
+    for (const Body& body : mBodies) {
+        std::optional<glm::dvec4> seen = window.rectangleOf(body.box);
+        if (!seen) seen = whole;
+        glm::dvec4 rectangle(glm::max(glm::dvec2(*seen), window.low),
+                             glm::min(glm::dvec2(seen->z, seen->w), window.low + window.extent));
+        const glm::dvec2 edges =
+            glm::max(glm::dvec2(rectangle.z, rectangle.w) - glm::dvec2(rectangle), 0.0);
+        // What is opaque has edges alone, and those of large bodies are not missed.
+        const bool large = edges.x * edges.y > 0.25 * window.extent.x * window.extent.y;
+        if (edges.x * edges.y > 0 && !(body.opaque && large)) aims.push_back(rectangle);
+    }
+    if (aims.size() <= kMostAims) return aims;
+    for (const glm::dvec4& aim : aims)
+        aims[0] = {glm::min(glm::dvec2(aims[0]), glm::dvec2(aim)),
+                   glm::max(glm::dvec2(aims[0].z, aims[0].w), glm::dvec2(aim.z, aim.w))};
+    aims.resize(1);
+    return aims;
+}
+
 std::vector<Window> Beams::windowsOf(const Light& light) const {
-    return lightsim::windowsOf(light, mDomain, mDomain, {mMapCells, 1, kMostCells}, glm::dvec2(0),
-                               false);
+    const auto all = [&](const MapDetail& detail) {
+        return lightsim::windowsOf(light, mDomain, mDomain, detail, glm::dvec2(0), false);
+    };
+    double aimed = 0, area = 0;
+    for (const Window& window : all({1 << 20})) {
+        area += window.extent.x * window.extent.y;
+        for (const glm::dvec4& aim : aimsIn(window)) aimed += (aim.z - aim.x) * (aim.w - aim.y);
+    }
+    const double share = std::clamp(aimed / area, kLeastAim, 1.0);
+    const auto spread = [&](std::int64_t cells) {
+        return static_cast<std::int64_t>(static_cast<double>(cells) / share);
+    };
+    std::vector<Window> windows = all({spread(mMapCells), kCellEdge, spread(kMostCells)});
+    for (Window& window : windows) window.pixels = (window.pixels + kStart - 1) / kStart * kStart;
+    return windows;
 }
 
 std::vector<Beams::Batch> Beams::batchesOf(const Window& window) {
@@ -125,6 +176,20 @@ std::vector<Beams::Batch> Beams::batchesOf(const Window& window) {
         for (int i = 0; i < window.pixels.x; i += kBatchCells)
             batches.push_back({{i, j}, glm::min(window.pixels - ivec2(i, j), ivec2(kBatchCells))});
     return batches;
+}
+
+/// Tells the kernels where a batch is aimed at [finest cell].
+void Beams::aim(const Window& window, const Batch& batch) {
+    const std::vector<glm::dvec4> aims = aimsIn(window);
+    const glm::dvec2 scale = glm::dvec2(window.pixels) / window.extent;
+    const auto onMap = [&](const glm::dvec2& at) {
+        return ((at - window.low) * scale - glm::dvec2(batch.low)) *
+               static_cast<double>(mParams.levels.x);
+    };
+    for (size_t i = 0; i < kMostAims; ++i)
+        mParams.aims[i] = i < aims.size()
+                              ? vec4(onMap(glm::dvec2(aims[i])), onMap({aims[i].z, aims[i].w}))
+                              : vec4(0);
 }
 
 /// Makes room for so many points, and keeps those there are.
@@ -296,8 +361,9 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
                   Stats& stats) {
     Run run{device, transport, media, leaves, surfaces, profiler};
     mParams.limits.z = static_cast<float>(unit);
-    mParams.levels.y = batch.cells.x;
-    mParams.levels.z = batch.cells.y;
+    mParams.levels.y = batch.cells.x / kStart;
+    mParams.levels.z = batch.cells.y / kStart;
+    aim(window, batch);
     mParams.window = vec4(window.low, window.extent);
     mParams.right = vec4(window.right, mParams.right.w);
     mParams.up = vec4(window.up, 0);
@@ -311,8 +377,8 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     mBooks.clear();
 
     Kind kind;
-    const std::int64_t cells = std::int64_t{batch.cells.x} * batch.cells.y;
-    const std::int64_t points = std::int64_t{2 * batch.cells.x + 1} * (2 * batch.cells.y + 1);
+    const std::int64_t cells = std::int64_t{mParams.levels.y} * mParams.levels.z;
+    const std::int64_t points = std::int64_t{2 * mParams.levels.y + 1} * (2 * mParams.levels.z + 1);
     grow(run, kind, points);
     kind.count = points;
     Nodes nodes{gpu::Buffer(device, cells * kNodeBytes), cells};

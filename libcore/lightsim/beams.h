@@ -24,8 +24,8 @@ class Beams {
 public:
     Beams(gpu::Device& device, const Plan& plan, const Params& params);
 
-    /// The windows through which a light in voxel space sees the domain, pixels being cells of the
-    /// coarsest level.
+    /// The windows through which a light in voxel space sees the domain, pixels being cells. Where
+    /// the light meets no body a map starts with larger ones.
     std::vector<Window> windowsOf(const Light& light) const;
 
     /// A part of a window that is carried at once: cells from `low` on.
@@ -48,6 +48,8 @@ private:
     struct Nodes;
     struct Kind;
     struct Run;
+    std::vector<glm::dvec4> aimsIn(const Window& window) const;
+    void aim(const Window& window, const Batch& batch);
     void trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents);
     void layDown(Run& run, std::uint32_t beams);
     void level(Run& run, Kind& kind, const Nodes& nodes);
@@ -61,6 +63,13 @@ private:
     std::int64_t mMapCells; ///< of the coarsest level; 0: as many as is worth it
     std::uint32_t mSeed;
     bool mManyObjects;
+    bool mAimsEverywhere; ///< no part of a map is simple
+
+    struct Body {
+        VoxelBox box;
+        bool opaque;
+    };
+    std::vector<Body> mBodies;
 };
 
 /// What beams take on the device.

@@ -181,7 +181,7 @@ void sendBeams(Run& run, const Light& light, const Window& window, const Beams::
     const double cells = static_cast<double>(window.pixels.x) * window.pixels.y;
     const double share = static_cast<double>(surfaces.count()) / cells;
     const double kLeast = 1.0 / 1024;
-    for (double unit = std::exp2(std::min(28.0, std::floor(20 + std::log2(share)))); unit >= kLeast;
+    for (double unit = std::exp2(std::min(24.0, std::floor(20 + std::log2(share)))); unit >= kLeast;
          unit /= 16) {
         BeamEnergy energy;
         const bool held =

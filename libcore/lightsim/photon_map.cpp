@@ -190,6 +190,16 @@ Window Window::batch(int i, int j, int b) const {
     return part;
 }
 
+std::optional<glm::dvec4> Window::rectangleOf(const VoxelBox& box) const {
+    Bounds bounds;
+    for (const dvec3& corner : cornersOf(box)) {
+        const dvec3 p = inView(*this, corner);
+        if (point && p.z <= 1e-3 * glm::length(p)) return std::nullopt;
+        bounds.include(point ? dvec3(p.x / p.z, p.y / p.z, p.z) : p);
+    }
+    return glm::dvec4(bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y);
+}
+
 glm::dmat4 Window::clipFromVoxel() const {
     glm::dmat4 viewFromVoxel(1.0);
     for (int c = 0; c < 3; ++c) {

@@ -7,6 +7,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
 #include <vector>
 
 namespace eikonal::lightsim {
@@ -32,6 +34,10 @@ struct Window {
     /// The part of the map that batch (i, j) of b × b interleaved ones covers.
     Window batch(int i, int j, int b) const;
     glm::dmat4 clipFromVoxel() const;
+
+    /// A rectangle of its coordinates, low and high corner, that a box lies in as the light sees
+    /// it; nothing where a part of the box is beside or behind the light.
+    std::optional<glm::dvec4> rectangleOf(const VoxelBox& box) const;
 };
 
 /// How finely a map is cut: so many pixels in all, or, if 0, by what a pixel covers where the

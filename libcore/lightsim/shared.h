@@ -26,6 +26,6 @@ static_assert(sizeof(SurfacePoint) == 32);
 static_assert(sizeof(PointLight) == 32);
 static_assert(sizeof(BeamPoint) == 80);
 static_assert(sizeof(BeamNode) == 64);
-static_assert(sizeof(BeamParams) == 192);
+static_assert(sizeof(BeamParams) == 256);
 
 } // namespace eikonal::lightsim

@@ -1,4 +1,4 @@
-// Cells of the coarsest level of a light's map, and their points.
+// The cells that a light's map starts with, and their points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
@@ -11,9 +11,10 @@ layout(std430, binding = kNodesBuffer) writeonly buffer Nodes { BeamNode nodes[]
 void main() {
     int item = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6));
     ivec3 levels = params.levels.xyz;
+    int edge = levels.x << kAimedLevels;
     int row = 2 * levels.y + 1;
     if (item < row * (2 * levels.z + 1))
-        points[item].map = ivec4(ivec2(item % row, item / row) * (levels.x / 2), 0, 0);
+        points[item].map = ivec4(ivec2(item % row, item / row) * (edge / 2), 0, 0);
     if (item >= levels.y * levels.z) return;
     ivec2 cell = ivec2(item % levels.y, item / levels.y);
     uint a = uint(2 * (cell.y * row + cell.x));
@@ -22,7 +23,7 @@ void main() {
     BeamNode node;
     node.first = uvec4(a, a + 1u, a + 2u, b);
     node.second = uvec4(b + 1u, b + 2u, c, c + 1u);
-    node.place = ivec4(cell * levels.x, levels.x, c + 2u);
+    node.place = ivec4(cell * edge, edge, c + 2u);
     node.state = uvec4(0u, 3u, 0u, 0u);
     nodes[item] = node;
 }

@@ -103,6 +103,17 @@ bool isIdle(BeamPoint point) {
     return status != kStopped && status != kMeets;
 }
 
+// Whether the map is aimed at a part of a cell: what its points say of it is not enough, since bodies may lie
+// between them.
+bool isAimedAt(BeamNode node) {
+    vec2 low = vec2(node.place.xy);
+    vec2 high = low + float(node.place.z);
+    bool any = false;
+    for (int i = 0; i < kMostAims; ++i)
+        any = any || (all(lessThan(low, params.aims[i].zw)) && all(greaterThan(high, params.aims[i].xy)));
+    return any;
+}
+
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
@@ -168,6 +179,11 @@ void main() {
     }
     bool culled = kCulls && landed == 0 && status == kStopped;
     if (culled) atomicAdd(counts[kCulledCount], 1u);
+    bool isStarting = params.kind.y == 0u && node.place.z > params.levels.x;
+    if (isStarting && isAimedAt(node)) {
+        splits[atomicAdd(counts[kSplitCount], 1u)] = item;
+        return;
+    }
     if (split && node.place.z > kSmallest && share * edge >= (params.kind.y > 0u && !agree ? kBrokenWorth : kWorth)) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
         return;

@@ -2,6 +2,9 @@
 // Read by C++ and GLSL; vec4-sized members only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+const int kMostAims = 4;
+const int kAimedLevels = 2; // a starting cell is split so often where the light's map is aimed at
+
 // Of the kernels that lay out surface voxels and make irradiance.
 struct LayoutParams {
     ivec4 size;  // voxels of the domain; w: fine voxels along an edge of one
@@ -44,13 +47,15 @@ struct BeamNode {
 struct BeamParams {
     ivec4 size;  // voxels along x, y, z; w: fine voxels along an edge of one
     vec4 limits; // x: shortest step [voxel], y: a share below is not followed, z: fixed-point unit
-                 // of all power of a cell of the coarsest level, w: how far a beam may be off [fine
+                 // of all power of a cell, w: how far a beam may be off [fine
                  // voxel]
     uvec4 list; // x: items, y: the first point, z: points there are, w: most interfaces met
     uvec4 kind; // x: bits of the ways taken at interfaces, the first lowest, y: how many, z:
                 // whether points go on from those of the kind before, w: differs by seed and batch
-    ivec4 levels; // x: edge of a cell of the coarsest level [finest cell], y: cells of that level
+    ivec4 levels; // x: edge of a cell [finest cell], y: starting cells, of kAimedLevels more,
                   // along x, z: along y; w: the longest edge of what one beam covers [fine voxel]
+    vec4 aims[kMostAims]; // parts of the map, low and high corners, where none is larger than a cell
+                  // to begin with [finest cell]
     vec4 window; // tangents, or offsets [voxel], at the map's low corner, and its extents
     vec4 right;  // voxel space; for a point light right, up, forward span its view; w: a cell of which
                  // so much leads nowhere is not split
@@ -58,7 +63,7 @@ struct BeamParams {
     vec4 forward; // xyz: directional light's direction of travel, or the view's axis; w: 1 for a
                   // point light
     vec4 origin;  // xyz: the light in voxels; w: 1 if it is in the domain
-    vec4 map;     // x: area of a cell of the coarsest level, where the domain is [voxel²]; yzw: the
+    vec4 map;     // x: area of a cell, where the domain is [voxel²]; yzw: the
                   // light's RGB over their sum, the weights of its direction
     vec4 batch;   // xy: share of the map at the batch's low corner, zw: and of one finest cell
 };
@@ -88,4 +93,4 @@ const int kBookTrapped = 4;
 const int kBookDim = 5;
 const int kBooks = 6;
 const int kBookSlots = 256;
-const float kBookUnit = 1048576.0; // of all power of a cell of the coarsest level
+const float kBookUnit = 1048576.0; // of all power of a cell
