@@ -16,7 +16,7 @@ NAME           := bunny
 MESHES         := $(BUNNY) $(PLINTH)
 VOLUME_OPTIONS ?= $(BUNNY_VOLUME)
 SMOOTH         ?= off
-LIGHT_OPTIONS  ?= --light $(LIGHT) --photons 524288
+LIGHT_OPTIONS  ?= --light $(LIGHT) --photons 131072
 VIEW_OPTIONS   ?= $(BUNNY_VIEW) --size $(SIZE) --samples 4 --env $(STUDIO)
 VIEW_FILES     := $(STUDIO)
 include pipelines/chain.mk

@@ -37,12 +37,14 @@ const int kSmallest = 2; // edge of a cell whose middle is a place on the map
 // A beam's inside is a polynomial of second degree through its points. How far it bends from its corners' mean
 // may be so much of its extent: what third order adds to its density goes with the square of that. Where light is
 // spread so thin that it adds little to what falls on surfaces, more will do.
-const float kMostBend = 0.03;
+const float kMostBend = 0.3;
+const float kCreasedBend = 0.03; // where what it falls on is no smooth surface: a box's edge is no polynomial
+const float kSmooth = 0.9;       // cosine between normals of a smooth one
 const float kFaint = 0.01; // share of the light's own irradiance below which it makes no difference
 // A cell is split if its share of the light, times its edge, is so much: half the edge, twice the share. Of cells
 // whose rays part behind interfaces there are many, of many kinds.
 const float kWorth = 0.01;
-const float kBrokenWorth = 0.1;
+const float kBrokenWorth = 0.05;
 const float kFlat = 0.1;   // a bend of so much of a fine voxel is none
 const float kDot = 0.25;   // an extent of so much of one is a point,
 const int kTold = 3;       // if so many points tell it
@@ -132,6 +134,7 @@ void main() {
     vec3 low = middle.place.xyz;
     vec3 high = low;
     vec3 corner[4];
+    bool smoothly = true;
     float on = brightest(middle.weight.xyz) * (1.0 - middle.weight.w);
     float back = brightest(middle.weight.xyz) * middle.weight.w;
     int landed = status == kStopped && single ? 1 : 0;
@@ -149,6 +152,7 @@ void main() {
             low = landed > 0 ? min(low, point.place.xyz) : point.place.xyz;
             high = landed > 0 ? max(high, point.place.xyz) : point.place.xyz;
             ++landed;
+            smoothly = smoothly && dot(point.wave.xyz, middle.wave.xyz) > kSmooth;
         }
         if (i == 0) corner[0] = point.place.xyz;
         if (i == 2) corner[1] = point.place.xyz;
@@ -167,7 +171,7 @@ void main() {
         vec3 across = cross(corner[3] - corner[0], corner[2] - corner[1]);
         float bright = clamp(dense / max(0.5 * length(across), 1.0e-20), kFaint, 1.0); // to the light's own
         float bend = fine * distance(0.25 * (corner[0] + corner[1] + corner[2] + corner[3]), middle.place.xyz);
-        float most = min(sqrt(params.limits.w * extent) / bright, kMostBend * inversesqrt(bright) * extent);
+        float most = min(sqrt(params.limits.w * extent) / bright, (smoothly ? kMostBend : kCreasedBend) * inversesqrt(bright) * extent);
         split = bend > max(most, kFlat) || extent > float(params.levels.w);
         vec3 reach = vec3(1.0 + bend / fine);
         if (kCulls && !isReceived(low - reach, high + reach)) {

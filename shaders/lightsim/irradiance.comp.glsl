@@ -100,11 +100,11 @@ void main() {
             ivec3 along = axisVector(axisOf(normal));
             Sum sum = columnAt(fine, number, along, normal);
             if (sum.area * float(edge * edge) < kWhole) addNeighbours(sum, fine, along, normal);
-            float scale = sum.area > 0.0 ? 1.0 / (sum.area * params.weight.w) : 0.0;
+            float area = sum.area * params.weight.w;
             for (int c = 0; c < FLUENCE; ++c)
-                imageStore(irradiance, surfaceTexel(number + c * params.list.z), vec4(scale * sum.power[c], 0.0, 0.0, 0.0));
+                imageStore(irradiance, surfaceTexel(number + c * params.list.z), vec4(area > 0.0 ? sum.power[c] / area : 0.0, 0.0, 0.0, 0.0));
             for (int c = 0; c < 3 && kFlow; ++c)
-                imageStore(irradiance, surfaceTexel(number + (FLUENCE + c) * params.list.z), vec4(scale * sum.flow[c], 0.0, 0.0, 0.0));
+                imageStore(irradiance, surfaceTexel(number + (FLUENCE + c) * params.list.z), vec4(area > 0.0 ? sum.flow[c] / area : 0.0, 0.0, 0.0, 0.0));
             ++number;
         }
     }

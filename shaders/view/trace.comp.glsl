@@ -106,7 +106,8 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
 void land(Path path, inout Load load, vec3 x, vec3 normal, vec3 albedo, float n) {
     vec3 light = irradianceOn(x, normal, load.first);
     load.light += path.throughput * albedo * light * (0.3183098861837907 / (n * n));
-    if (kAovs && load.first) load.outward = normal;
+    // Where nothing tells, as if it were across the ray.
+    if (kAovs && load.first) load.outward = normal == vec3(0.0) ? -normalize(path.ray.w) : normal;
 }
 
 void onSurface(inout Path path, inout Load load, Interface at) {

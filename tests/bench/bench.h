@@ -42,9 +42,11 @@ Json measureSharp(const Settings& settings);
 Json measureStages(const Settings& settings);
 /// Steps and error of the fluence under the octree's options, at 64³.
 Json measureSteps(const Settings& settings);
-/// Irradiance on a floor under a ball of glass and under waves, by beams and by photons, against the
-/// exact one.
+/// Irradiance on a floor under a ball of glass and under waves, by beams and by photons, against
+/// the exact one.
 Json measureSurfaces(const Settings& settings);
+/// Beams under waves with and without their hierarchy: Barczak and Olano's tables 1 and 2.
+Json measureHierarchy(const Settings& settings);
 /// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.
 Json measureTables(const Settings& settings);
 

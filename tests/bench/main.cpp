@@ -35,7 +35,7 @@ void printTable(const char* title, const Json& rows) {
 int main(int argc, char** argv) {
     Settings settings;
     settings.device = "auto";
-    std::string json, parts = "kernels,sharp,stages,steps,surfaces,tables";
+    std::string json, parts = "kernels,sharp,stages,steps,surfaces,hierarchy,tables";
     CLI::App app("Times the toolchain.", "bench");
     app.add_option("--bin", settings.bin, "folder of the tools")->required();
     app.add_option("--work", settings.work, "folder for scratch files")->required();
@@ -67,7 +67,12 @@ int main(int argc, char** argv) {
         }
         if (parts.find("surfaces") != parts.npos) {
             result["surfaces"] = measureSurfaces(settings);
-            printTable("light on a floor under a ball of glass and under waves", result["surfaces"]);
+            printTable("light on a floor under a ball of glass and under waves",
+                       result["surfaces"]);
+        }
+        if (parts.find("hierarchy") != parts.npos) {
+            result["hierarchy"] = measureHierarchy(settings);
+            printTable("tables 1 and 2 of Barczak and Olano", result["hierarchy"]);
         }
         if (parts.find("tables") != parts.npos) {
             result["tables"] = measureTables(settings);

@@ -4,8 +4,8 @@
 
 #include "lightsim/lightsim.h"
 #include "mesh/read.h"
-#include "support/shapes.h"
 #include "smooth/smooth.h"
+#include "support/shapes.h"
 #include "view/view.h"
 #include "voxelize/voxelize.h"
 

@@ -238,7 +238,8 @@ TEST(LightRun, WrongParametersAreUsageErrors) {
     };
     EXPECT_NO_THROW(paramsOf({beam({0, -1, 0})}).check());
     refused([](auto& p) { p.lights.clear(); });
-    refused([](auto& p) { p.photons = 0; });
+    refused([](auto& p) { p.photons = -1; });
+    refused([](auto& p) { p.shadowCull = 0; });
     refused([](auto& p) { p.octreeTolerance = -1; });
     refused([](auto& p) { p.octreeTolerance = std::nan(""); });
     refused([](auto& p) { p.octreeTolerance2 = 0.001; });

@@ -211,6 +211,26 @@ TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {
     EXPECT_EQ(a.result.irradiance.values, b.result.irradiance.values);
 }
 
+TEST(LightSurfaces, SmallBodiesBetweenWideBeamsAreNotMissed) {
+    // So few photons that a map starts with cells of some 16 voxels, rays 8 apart.
+    const ivec3 size(48);
+    for (int k = 0; k < 4; ++k) {
+        const judge::Glass glass{{judge::glassBall(dvec3(19.0 + 3 * k, 20, 26.0 - 2 * k), 2, 1.5),
+                                  judge::glassBox(dvec3(-20), {80, 4, 80}, 1)}};
+        Params params = onSurfaces(beam({0, -1, 0}), 1, 576);
+        params.maxDepth = 3;
+        const Lit lit(sceneOf(glass, size), params);
+        double least = 1, most = 1;
+        forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+            if (!within(x, size, 2) || std::abs(x.y - 4) > 0.6) return;
+            least = std::min(least, double{e.x});
+            most = std::max(most, double{e.x});
+        });
+        EXPECT_LT(least, 0.6) << k;
+        EXPECT_GT(most, 1.02) << k;
+    }
+}
+
 TEST(LightSurfaces, AFewWideBeamsLoseNoLight) {
     // A beam or four for 192² fine voxels and more: far more than a work item's loops may go
     // through.
