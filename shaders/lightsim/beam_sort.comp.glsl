@@ -171,7 +171,8 @@ void main() {
         vec3 across = cross(corner[3] - corner[0], corner[2] - corner[1]);
         float bright = clamp(dense / max(0.5 * length(across), 1.0e-20), kFaint, 1.0); // to the light's own
         float bend = fine * distance(0.25 * (corner[0] + corner[1] + corner[2] + corner[3]), middle.place.xyz);
-        float most = min(sqrt(params.limits.w * extent) / bright, (smoothly ? kMostBend : kCreasedBend) * inversesqrt(bright) * extent);
+        float bends = (smoothly ? kMostBend : kCreasedBend) * inversesqrt(bright) * extent;
+        float most = min(sqrt(params.limits.w * extent) / bright, bends);
         split = bend > max(most, kFlat) || extent > float(params.levels.w);
         vec3 reach = vec3(1.0 + bend / fine);
         if (kCulls && !isReceived(low - reach, high + reach)) {
@@ -181,14 +182,10 @@ void main() {
     } else if (kCulls && idle) {
         landed = 0;
     }
-    bool culled = kCulls && landed == 0 && status == kStopped;
-    if (culled) atomicAdd(counts[kCulledCount], 1u);
     bool isStarting = params.kind.y == 0u && node.place.z > params.levels.x;
-    if (isStarting && isAimedAt(node)) {
-        splits[atomicAdd(counts[kSplitCount], 1u)] = item;
-        return;
-    }
-    if (split && node.place.z > kSmallest && share * edge >= (params.kind.y > 0u && !agree ? kBrokenWorth : kWorth)) {
+    float worth = params.kind.y > 0u && !agree ? kBrokenWorth : kWorth;
+    split = split && node.place.z > kSmallest && share * edge >= worth;
+    if (split || (isStarting && isAimedAt(node))) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
         return;
     }
@@ -224,7 +221,10 @@ void main() {
                                      ((follow & 2u) == 0u ? point.weight.w : 0.0)));
         if (params.kind.y == 0u && its != kNone) enter(kBookEntered, power);
     }
-    if (!culled && (status == kStopped || landed > 0)) beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
+    bool culled = kCulls && landed == 0 && status == kStopped;
+    if (culled) atomicAdd(counts[kCulledCount], 1u);
+    if (!culled && (status == kStopped || landed > 0))
+        beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
     if (follow != 0u) {
         BeamNode next = node;
         next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);

@@ -78,6 +78,11 @@ void addNeighbours(inout Sum sum, ivec3 fine, ivec3 along, vec3 normal) {
     }
 }
 
+void store(int number, int plane, float power, float area) {
+    float found = area > 0.0 ? power / area : 0.0;
+    imageStore(irradiance, surfaceTexel(number + plane * params.list.z), vec4(found, 0.0, 0.0, 0.0));
+}
+
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= uint(params.list.x)) return;
@@ -101,10 +106,8 @@ void main() {
             Sum sum = columnAt(fine, number, along, normal);
             if (sum.area * float(edge * edge) < kWhole) addNeighbours(sum, fine, along, normal);
             float area = sum.area * params.weight.w;
-            for (int c = 0; c < FLUENCE; ++c)
-                imageStore(irradiance, surfaceTexel(number + c * params.list.z), vec4(area > 0.0 ? sum.power[c] / area : 0.0, 0.0, 0.0, 0.0));
-            for (int c = 0; c < 3 && kFlow; ++c)
-                imageStore(irradiance, surfaceTexel(number + (FLUENCE + c) * params.list.z), vec4(area > 0.0 ? sum.flow[c] / area : 0.0, 0.0, 0.0, 0.0));
+            for (int c = 0; c < FLUENCE; ++c) store(number, c, sum.power[c], area);
+            for (int c = 0; c < 3 && kFlow; ++c) store(number, FLUENCE + c, sum.flow[c], area);
             ++number;
         }
     }

@@ -5,6 +5,7 @@ eikonal_test(test_sharp SOURCES sharp/along_test.cpp sharp/ball_test.cpp sharp/f
              sharp/mesh_test.cpp
              sharp/objects_test.cpp sharp/paged_test.cpp sharp/unlit_test.cpp
              LIBRARIES test_support
-             LONG "Paged.SharpMedia*" "Paged.BlurredMediaLookTheSame" "SharpMany.IdleObjects*" "SharpFine.Packed*" "SharpGraded.*" "SharpMany.FortyShells"
+             LONG "Paged.SharpMedia*" "Paged.BlurredMediaLookTheSame" "SharpMany.IdleObjects*"
+                  "SharpFine.Packed*" "SharpGraded.*" "SharpMany.FortyShells"
                   "SharpMany.SixtyFourBalls*" "SharpObjects.AShellAndWhatFillsIt"
                   "SharpBall.FirstFourOrdersAreFresnels")
