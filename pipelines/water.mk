@@ -1,4 +1,5 @@
-# Water with waves in a pool, cut open by the faces of the domain: the net of light on its floor.
+# Water with waves in a pool: the net of light on its floor. The faces of the domain cut the water open, and
+# do not refract; so the view is within them.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make -f pipelines/water.mk                                   out/water.png
@@ -17,7 +18,7 @@ VOLUME_OPTIONS ?= --ior 1.33 --ior 1 --opacity 0 --opacity 1 --albedo 0 --albedo
   --bounds=-1,-0.5,-1,1,0.1,1 --fill-below yes --fill-below no
 SMOOTH         := off
 LIGHT_OPTIONS  ?= --light $(LIGHT)
-VIEW_OPTIONS   ?= --eye 0.4,1.5,2.3 --target 0,-0.35,0 --fov 38 --size $(SIZE) --samples 4 \
+VIEW_OPTIONS   ?= --eye 0.4,1.5,2.3 --target 0,-0.3,0 --fov 19 --size $(SIZE) --samples 4 \
   --background 0.5,0.6,0.7
 include pipelines/chain.mk
 
