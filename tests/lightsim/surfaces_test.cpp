@@ -115,6 +115,26 @@ TEST(LightSurfaces, ABallAndACubeGetTheCosineAndTheirFarSidesNothing) {
     EXPECT_GE(below, 19 * 19 * 4);
 }
 
+TEST(LightSurfaces, WideBeamsDoNotBendAroundEdges) {
+    // A box under a slanting sun by cells of some four voxels, many of which lie across an edge.
+    const ivec3 size(40);
+    const dvec3 light = glm::normalize(dvec3(0.2, -1, 0.6));
+    const judge::Glass box{{judge::glassBox(dvec3(8.3), dvec3(31.6), 1)}};
+    const Lit cube(sceneOf(box, size), onSurfaces(beam(light), 2, 1 << 12));
+    int onTop = 0, onSide = 0;
+    forEachLit(cube.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+        const auto inside = [](double a) { return a > 10.3 && a < 29.6; };
+        const bool top = inside(x.x) && inside(x.z) && x.y > 20;
+        const bool side = inside(x.x) && inside(x.y) && x.z < 20; // which the light meets
+        if (top) EXPECT_NEAR(e.x, -light.y, 0.03);
+        if (side) EXPECT_NEAR(e.x, light.z, 0.03);
+        onTop += top;
+        onSide += side;
+    });
+    EXPECT_GE(onTop, 19 * 19 * 4);
+    EXPECT_GE(onSide, 19 * 19 * 4);
+}
+
 TEST(LightSurfaces, AThinWallLetsNoLightThrough) {
     // Two voxels thick, slanting, lit from above.
     const dvec3 normal = glm::normalize(dvec3(0.4, 1, 0.2));
