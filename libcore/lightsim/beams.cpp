@@ -15,8 +15,6 @@ namespace {
 using glm::dvec3;
 using glm::ivec2;
 
-// A cell is split so often at most.
-
 // Cells along an edge of a batch: its points take some tens of MB with those of split cells.
 constexpr int kBatchCells = 512;
 
@@ -32,7 +30,7 @@ constexpr std::int64_t kPart = 1 << 14;
 // down exactly up to that (kLongest times kMostCells in shaders/lightsim/beam_cut.comp.glsl).
 constexpr int kWidest = 96;
 
-// What --photons asks for, per cell of the coarsest level: a beam does the work of so many.
+// What --photons asks for, per cell: a beam does the work of so many.
 constexpr std::int64_t kPhotonsPerCell = 64;
 
 // The edge of a cell [voxel], and most cells, that --photons auto takes where the map is aimed at.

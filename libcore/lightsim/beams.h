@@ -37,8 +37,8 @@ public:
     /// Before a light's batches: its RGB over their sum.
     void begin(const glm::dvec3& colour);
 
-    /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a cell of the
-    /// coarsest level. Returns whether every sum held it, and what became of the power [cells].
+    /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a
+    /// cell. Returns whether every sum held it, and what became of the power [cells].
     bool carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
                const gpu::Texture& leaves, const SurfaceReceiver& surfaces, const Window& window,
                const Batch& batch, double unit, BeamEnergy& energy, gpu::Profiler& profiler,
@@ -60,7 +60,7 @@ private:
     gpu::Buffer mBlock, mCounts, mBooks, mCells;
     BeamParams mParams{};
     VoxelBox mDomain;
-    std::int64_t mMapCells; ///< of the coarsest level; 0: as many as is worth it
+    std::int64_t mMapCells; ///< where the map is aimed at; 0: as many as is worth it
     std::uint32_t mSeed;
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple

@@ -249,7 +249,7 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
             sendLight(run, part, partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
             ++done;
         }
-        if (params.lightsApart) run.receivers.readPoints(device, plan);
+        if (params.lightsApart && !plan.points.empty()) run.receivers.readPoints(device, plan);
     }
     tellDropped(stats, run.dropped);
     profiler.collect();

@@ -57,9 +57,10 @@ std::vector<std::uint32_t> voxelsNear(const std::vector<PointOnSurface>& points,
                                       int reach) {
     std::vector<std::uint32_t> held, near;
     for (const PointOnSurface& point : points) {
-        const ivec3 voxel(glm::floor(point.place + 0.5f));
-        if (!isPoint(point) || voxel != glm::clamp(voxel, ivec3(-1), size)) continue;
-        const ivec3 in = glm::clamp(voxel, ivec3(0), size - 1);
+        // As floats: whole numbers may not hold a place far off.
+        const glm::vec3 at = glm::floor(point.place + 0.5f);
+        if (!isPoint(point) || at != glm::clamp(at, glm::vec3(-1), glm::vec3(size))) continue;
+        const ivec3 in = glm::clamp(ivec3(at), ivec3(0), size - 1);
         const auto place = static_cast<std::uint32_t>(scene::placeOf(size, in.x, in.y, in.z));
         if (held.empty() || held.back() != place) held.push_back(place);
     }

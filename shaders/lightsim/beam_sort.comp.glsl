@@ -130,7 +130,6 @@ void main() {
     bool agree = true;
     bool idle = isIdle(middle);
     int idlePoints = idle ? 1 : 0;
-    vec3 mean = vec3(0.0);
     vec3 low = middle.place.xyz;
     vec3 high = low;
     vec3 corner[4];

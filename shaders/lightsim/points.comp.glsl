@@ -32,7 +32,6 @@ void main() {
                 light.irradiance[c] += columns.weights[i] * stored(number, min(c, FLUENCE - 1));
                 light.flow[c] += columns.weights[i] * stored(number, FLUENCE + c);
             }
-            light.irradiance.w = 1.0;
         }
     }
     lights[item] = light;

@@ -20,7 +20,7 @@ struct SurfacePoint {
 };
 
 struct PointLight {
-    vec4 irradiance; // rgb [W/m²]; w: 1 where there are surface voxels
+    vec4 irradiance; // rgb [W/m²]
     vec4 flow;       // the same by the direction of travel, voxel space: a vector sum, mean of rgb
 };
 
@@ -47,8 +47,7 @@ struct BeamNode {
 struct BeamParams {
     ivec4 size;  // voxels along x, y, z; w: fine voxels along an edge of one
     vec4 limits; // x: shortest step [voxel], y: a share below is not followed, z: fixed-point unit
-                 // of all power of a cell, w: how far a beam may be off [fine
-                 // voxel]
+                 // of all power of a cell, w: how far a beam may be off [fine voxel]
     uvec4 list; // x: items, y: the first point, z: points there are, w: most interfaces met
     uvec4 kind; // x: bits of the ways taken at interfaces, the first lowest, y: how many, z:
                 // whether points go on from those of the kind before, w: differs by seed and batch

@@ -14,13 +14,13 @@
     !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS)
 #error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS 0 or 1, WAITING from 1
 #endif
+// POINTS: light is known for the points where first branches end.
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
 const bool kColour = CHANNELS == 3;   // it does so, or glows, by wavelength
 const bool kGlows = SOURCE > 0;       // light is scattered towards the eye; if blurred, or emitted
 const bool kAnisotropic = SOURCE == 2; // scattering prefers a direction
 const bool kEmission = EMISSION == 1; // something emits; if blurred, beside anisotropic scattering
 const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
-const bool kPoints = POINTS == 1;     // light is known for the points where first branches end
 const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -207,6 +207,26 @@ TEST(BallOverPlane, PatchesBringWhatRaysBring) {
     EXPECT_NEAR(texels.mean(), mean, 2e-4);
 }
 
+TEST(LightPatches, FinerOnesChangeNextToNothing) {
+    // docs/light-methods.md has the figure.
+    const double finer = 1.0 / 4096; // a quarter of the usual [texel]
+    const auto change = [](const Texels& a, const Texels& b) {
+        double squares = 0;
+        for (size_t i = 0; i < a.values.size(); ++i) {
+            const double off = a.values[i] - b.values[i], level = 0.1 * b.mean();
+            squares += off * off / (b.values[i] * b.values[i] + level * level);
+        }
+        return std::sqrt(squares / static_cast<double>(a.values.size()));
+    };
+    Texels ball({-1, -1}, {1, 1}, 64), finerBall = ball, water = ball, finerWater = ball;
+    irradianceUnder(BallOverPlane{}, ball);
+    irradianceUnder(BallOverPlane{}, finerBall, finer);
+    EXPECT_LT(change(ball, finerBall), 5e-4);
+    irradianceUnder(Water{}, water);
+    irradianceUnder(Water{}, finerWater, Weighing::exact, finer);
+    EXPECT_LT(change(water, finerWater), 5e-4);
+}
+
 TEST(FloorView, ABallOfNoIndexIsNotSeen) {
     BallOverPlane scene;
     scene.index = 1;

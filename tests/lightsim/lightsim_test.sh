@@ -286,6 +286,12 @@ test_points() {
     oiiotool points.exr --mulc 0 -o none.exr
     expect 0 lightsim floor.vdb $sun --at none.exr -o out.exr
     says 'no point of none.exr'
+    # A script finds the layers of lights apart however many there are, lit or not.
+    expect 0 lightsim floor.vdb $sun --at none.exr -o apart.exr --lights-apart --quiet
+    oiiotool --info -v apart.exr | grep -q irradiance_1.R || fail "no layer of a light apart"
+    oiiotool points.exr --mulc 1e20 -o away.exr
+    expect 0 lightsim floor.vdb $sun --at away.exr -o apart.exr
+    says 'no point of away.exr'
     oiiotool out.exr --ch irradiance.R --printstats | grep -q 'Stats Max: 0.0' || fail "it has light"
     rm -f *.exr info floor.vdb
 }

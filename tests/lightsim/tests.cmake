@@ -4,7 +4,10 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
                                           "LightRun.BatchesChange*" "LightRun.AutomaticPhotonsAreEnough" "LightReceivingLong.*"
                                           "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*"
-                                          "LightSharp.ABallGathers*" "LightMedium.SmoothingKeeps*")
+                                          "LightSharp.ABallGathers*" "LightMedium.SmoothingKeeps*"
+                                          "LightPoints.FlowIs*" "LightPoints.BeamsToOther*"
+                                          "LightSurfaces.WideBeams*" "LightSurfaces.WhatAbsorbs*"
+                                          "LightReceiving.WhatPictures*" "LightLens.Orbits*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})

@@ -199,7 +199,8 @@ void writeLight(tool::Session& session, const Options& o, const volume::Volume& 
         {"eikonal:tool", history.tool},
         {"eikonal:version", history.version},
         {"eikonal:command", appendHistory(volume.metadata("eikonal:command"), history.command)}};
-    const image::Image light = picture_points::lightOf(points, result.points);
+    const size_t apart = o.params.lightsApart ? o.params.lights.size() : 0;
+    const image::Image light = picture_points::lightOf(points, apart, result.points);
     session.pass("write", [&] {
         image::writeExr(light, attributes, *session.outputs().at(0), session.threads());
     });

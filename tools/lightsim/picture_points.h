@@ -47,9 +47,9 @@ inline lightsim::Points pointsOf(const image::Image& picture) {
     return points;
 }
 
-/// The layers irradiance and irradiance_direction, of several lights apart irradiance_1 and so on
-/// beside them, and the points. No light stands for one that falls on none of them.
-inline image::Image lightOf(const image::Image& points,
+/// The layers irradiance and irradiance_direction, of so many lights apart irradiance_1 and so on
+/// beside them, and the points. `lights` is empty where no point is on a surface.
+inline image::Image lightOf(const image::Image& points, size_t apart,
                             const std::vector<std::vector<lightsim::LightAtPoint>>& lights) {
     image::Image out(points.width, points.height);
     const auto add = [&](const std::string& suffix,
@@ -78,8 +78,9 @@ inline image::Image lightOf(const image::Image& points,
         }
     }
     add("", sum);
-    for (size_t k = 0; k < lights.size() && lights.size() > 1; ++k)
-        add("_" + std::to_string(k + 1), lights[k]);
+    for (size_t k = 0; k < apart; ++k)
+        add("_" + std::to_string(k + 1),
+            lights.empty() ? std::vector<lightsim::LightAtPoint>() : lights[k]);
     for (size_t c = 0; c < points.channels.size(); ++c)
         out.addChannels({points.channels[c]}, points.plane(c), 1);
     return out;
