@@ -1,6 +1,6 @@
 eikonal_room(image
-    SOURCES exr_reader.cpp exr_workers.cpp exr_writer.cpp halves.cpp image.cpp input.cpp picture.cpp
-            picture_module.cpp radiance.cpp
+    SOURCES exr_reader.cpp exr_workers.cpp exr_writer.cpp halves.cpp image.cpp input.cpp lat_long.cpp
+            picture.cpp picture_module.cpp radiance.cpp
     LIBRARIES OpenEXR::OpenEXR)
 
 # OpenImageIO brings some 250 libraries along; the module keeps them out of every process that

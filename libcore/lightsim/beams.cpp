@@ -4,9 +4,11 @@
 
 #include "lightsim/dispatch.h"
 #include "lightsim/photons.h"
+#include "lightsim/spread.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace eikonal::lightsim {
 
@@ -51,6 +53,14 @@ constexpr int kMostWays = 31;
 constexpr std::int64_t kNodeBytes = sizeof(BeamNode);
 constexpr std::int64_t kPointBytes = sizeof(BeamPoint);
 
+/// The widest cell to begin with of a point's map [tangent]: within it the intensity over the map
+/// is about a polynomial of second degree.
+double widestCell(const Source& source) {
+    const double kWidest = 0.25, kLeast = 1.0 / 64;
+    const double fades = 0.5 * (source.outer - source.inner);
+    return source.spread == Source::Spread::cone ? std::clamp(fades, kLeast, kWidest) : kWidest;
+}
+
 std::int64_t cellsOf(const Params& params) {
     return params.photons > 0 ? std::max<std::int64_t>(params.photons / kPhotonsPerCell, 1) : 0;
 }
@@ -59,6 +69,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
+    switches.emplace_back("EXTENDED", plan.sourcesDiffer);
     return switches;
 }
 
@@ -108,7 +119,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mSeed(params.seed),
+      mMapCells(cellsOf(params)), mBeamError(params.beamError), mSeed(params.seed),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -119,7 +130,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     }
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
-    mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
+    mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, 0);
     mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays));
     mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
     mParams.right.w = static_cast<float>(params.shadowCull);
@@ -150,21 +161,30 @@ std::vector<glm::dvec4> Beams::aimsIn(const Window& window) const {
     return aims;
 }
 
-std::vector<Window> Beams::windowsOf(const Light& light) const {
+std::vector<Window> Beams::windowsOf(const Source& source, size_t sources) const {
     const auto all = [&](const MapDetail& detail) {
-        return lightsim::windowsOf(light, mDomain, mDomain, detail, glm::dvec2(0), false);
+        return lightsim::windowsOf(source, mDomain, mDomain, detail, glm::dvec2(0), false);
     };
     double aimed = 0, area = 0;
     for (const Window& window : all({1 << 20})) {
         area += window.extent.x * window.extent.y;
         for (const glm::dvec4& aim : aimsIn(window)) aimed += (aim.z - aim.x) * (aim.w - aim.y);
     }
+    if (area == 0) return {};
+    // Of all cells each of the sources has its part.
     const double share = std::clamp(aimed / area, kLeastAim, 1.0);
+    const auto count = static_cast<double>(sources);
     const auto spread = [&](std::int64_t cells) {
-        return static_cast<std::int64_t>(static_cast<double>(cells) / share);
+        return static_cast<std::int64_t>(std::ceil(static_cast<double>(cells) / (share * count)));
     };
-    std::vector<Window> windows = all({spread(mMapCells), kCellEdge, spread(kMostCells)});
-    for (Window& window : windows) window.pixels = (window.pixels + kStart - 1) / kStart * kStart;
+    std::vector<Window> windows =
+        all({spread(mMapCells), kCellEdge * std::sqrt(count), spread(kMostCells)});
+    for (Window& window : windows) {
+        ivec2 starting = (window.pixels + kStart - 1) / kStart;
+        if (window.point)
+            starting = glm::max(starting, ivec2(glm::ceil(window.extent / widestCell(source))));
+        window.pixels = kStart * starting;
+    }
     return windows;
 }
 
@@ -367,6 +387,8 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     mParams.up = vec4(window.up, 0);
     mParams.forward = vec4(window.forward, window.point ? 1 : 0);
     mParams.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
+    mParams.axis = axisOf(window.source);
+    mParams.cone = coneOf(window.source);
     const glm::dvec2 cell = 1.0 / glm::dvec2(window.pixels);
     mParams.batch =
         vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(mParams.levels.x));
@@ -406,7 +428,9 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     return true;
 }
 
-void Beams::begin(const glm::dvec3& colour) {
+void Beams::begin(const glm::dvec3& colour, size_t sources) {
+    // Where beams of many sources overlap, their errors even out.
+    mParams.limits.w = static_cast<float>(mBeamError * std::sqrt(static_cast<double>(sources)));
     mParams.map = vec4(0, colour);
 }
 

@@ -24,9 +24,9 @@ class Beams {
 public:
     Beams(gpu::Device& device, const Plan& plan, const Params& params);
 
-    /// The windows through which a light in voxel space sees the domain, pixels being cells. Where
-    /// the light meets no body a map starts with larger ones.
-    std::vector<Window> windowsOf(const Light& light) const;
+    /// The windows through which a source, one of so many of a light, sees the domain, pixels being
+    /// cells. Where the light meets no body a map starts with larger ones.
+    std::vector<Window> windowsOf(const Source& source, size_t sources) const;
 
     /// A part of a window that is carried at once: cells from `low` on.
     struct Batch {
@@ -34,8 +34,8 @@ public:
     };
     static std::vector<Batch> batchesOf(const Window& window);
 
-    /// Before a light's batches: its RGB over their sum.
-    void begin(const glm::dvec3& colour);
+    /// Before the batches of a source, one of so many of a light: its RGB over their sum.
+    void begin(const glm::dvec3& colour, size_t sources);
 
     /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a
     /// cell. Returns whether every sum held it, and what became of the power [cells].
@@ -61,6 +61,7 @@ private:
     BeamParams mParams{};
     VoxelBox mDomain;
     std::int64_t mMapCells; ///< where the map is aimed at; 0: as many as is worth it
+    double mBeamError;
     std::uint32_t mSeed;
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/emission.h"
 
+#include "lightsim/spread.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -16,6 +18,7 @@ using glm::dvec3;
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
     std::erase_if(switches, [](const auto& item) { return item.first == "INTEGRATOR"; });
+    switches.emplace_back("EXTENDED", plan.sourcesDiffer);
     return switches;
 }
 
@@ -23,6 +26,39 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
 // that a voxel, smoothed once, is off by half a percent of the mean, in the mean.
 constexpr double kPhotonEdge = 1.0 / 6;
 constexpr std::int64_t kMostPhotons = 1 << 24;
+
+/// The interleaved parts of a window, none of more than kBatchPixels.
+std::vector<Part> interleaved(const Window& window, unsigned number) {
+    const double pixels = static_cast<double>(window.pixels.x) * window.pixels.y;
+    const int edge = std::max(
+        1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(kBatchPixels)))));
+    std::vector<Part> parts;
+    for (int j = 0; j < edge; ++j)
+        for (int i = 0; i < edge; ++i)
+            parts.push_back(
+                {window.batch(i, j, edge), {i, j, edge, 0}, number, window.pixelArea()});
+    return parts;
+}
+
+/// A place in a pixel that differs from source to source of a light; 0 of the first.
+dvec2 shiftOf(unsigned number) {
+    return glm::fract(static_cast<double>(number) * dvec2(0.7548776662466927, 0.5698402909980532));
+}
+
+/// A batch of many sources' parts, in units of the brightest of each channel.
+Batch together(std::vector<Part> parts, double voxelArea) {
+    Batch batch;
+    batch.unit = {dvec3(0), 1, parts[0].window.point};
+    Unit& unit = batch.unit;
+    for (Part& part : parts) {
+        part.weight = part.window.source.rgb * part.area * (unit.isPoint ? 1.0 : voxelArea);
+        unit.rgb = glm::max(unit.rgb, part.weight);
+    }
+    for (Part& part : parts)
+        for (int c = 0; c < 3; ++c) part.weight[c] /= unit.rgb[c] > 0 ? unit.rgb[c] : 1.0;
+    batch.parts = std::move(parts);
+    return batch;
+}
 
 /// Twelve triangles, outward.
 std::vector<glm::vec4> trianglesOf(const VoxelBox& box) {
@@ -40,15 +76,10 @@ std::vector<glm::vec4> trianglesOf(const VoxelBox& box) {
 
 } // namespace
 
-std::vector<Batch> batchesOf(const Window& window) {
-    const double pixels = static_cast<double>(window.pixels.x) * window.pixels.y;
-    const int edge = std::max(
-        1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(kBatchPixels)))));
-    std::vector<Batch> batches;
-    for (int j = 0; j < edge; ++j)
-        for (int i = 0; i < edge; ++i)
-            batches.push_back({window.batch(i, j, edge), {i, j, edge, 0}});
-    return batches;
+std::int64_t Batch::pixels() const {
+    std::int64_t sum = 0;
+    for (const Part& part : parts) sum += part.pixels();
+    return sum;
 }
 
 Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
@@ -56,7 +87,9 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
       mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
       mTarget(mDomain), mReceivers(plan.receivesInVolume() ? 1 : plan.surfaces.detail),
-      mSeed(params.seed), mManyObjects(scene::areMany(plan.scene.objects)) {
+      mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
+      mManyObjects(scene::areMany(plan.scene.objects)), mManySources(plan.sourcesDiffer),
+      mStartsOnDomain(params.proxy.empty()) {
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
         corners = trianglesOf(mDomain);
@@ -74,46 +107,101 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
     mSurface = gpu::Buffer(device, mCorners * 16, corners.data());
 }
 
-std::vector<Window> Emission::windowsOf(const Light& light, const Params& params) const {
+std::vector<Part> Emission::partsOf(const std::vector<Source>& sources,
+                                    const Params& params) const {
     // The plastic number's powers spread successive seeds evenly over a pixel.
-    const dvec2 shift = glm::fract(static_cast<double>(params.seed) *
-                                   dvec2(0.7548776662466927, 0.5698402909980532));
-    return lightsim::windowsOf(light, mTarget, mDomain,
-                               {params.photons, kPhotonEdge / mReceivers, kMostPhotons}, shift,
-                               !params.proxy.empty());
+    const dvec2 seeded =
+        static_cast<double>(params.seed) * dvec2(0.7548776662466927, 0.5698402909980532);
+    const auto count = static_cast<std::int64_t>(sources.size());
+    const MapDetail detail{
+        params.photons > 0 ? std::max<std::int64_t>(params.photons / count, 1) : 0,
+        kPhotonEdge / mReceivers * std::sqrt(static_cast<double>(count)), kMostPhotons / count};
+    std::vector<Part> parts;
+    for (unsigned k = 0; k < sources.size(); ++k) {
+        const dvec2 shift = glm::fract(seeded + shiftOf(k));
+        for (const Window& window : lightsim::windowsOf(sources[k], mTarget, mDomain, detail, shift,
+                                                        !params.proxy.empty()))
+            for (Part& part : interleaved(window, k))
+                if (part.pixels() > 0) parts.push_back(std::move(part));
+    }
+    return parts;
 }
 
-std::uint32_t Emission::emit(gpu::Device& device, const scene::Transport& transport,
-                             const Batch& batch, Photons& photons) {
-    const Window& window = batch.window;
-    photons.fit(device, window.pixels, mManyObjects);
+std::vector<Batch> Emission::batchesOf(const std::vector<Source>& sources,
+                                       const Params& params) const {
+    const double voxelArea = mVoxelSize * mVoxelSize;
+    std::vector<Batch> batches;
+    std::vector<Part> some;
+    std::int64_t pixels = 0;
+    for (Part& part : partsOf(sources, params)) {
+        if (sources.size() == 1) {
+            const bool point = part.window.point;
+            const double power = part.area * (point ? 1.0 : voxelArea);
+            batches.push_back({{part}, {sources[0].rgb, power, point}});
+            continue;
+        }
+        if (pixels + part.pixels() > kBatchPixels && !some.empty()) {
+            batches.push_back(together(std::move(some), voxelArea));
+            some.clear();
+            pixels = 0;
+        }
+        pixels += part.pixels();
+        some.push_back(std::move(part));
+    }
+    if (!some.empty()) batches.push_back(together(std::move(some), voxelArea));
+    return batches;
+}
+
+void Emission::emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons) {
+    const Window& window = part.window;
     EmissionParams values{};
     values.clipFromVoxel = mat4(window.clipFromVoxel());
     values.right = vec4(window.right, 0);
     values.up = vec4(window.up, 0);
     values.forward = vec4(window.forward, 0);
     values.window = vec4(window.low, window.extent);
-    values.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
+    const bool onFaces = mManySources && mStartsOnDomain;
+    values.origin = vec4(window.origin, window.startsAtLight ? 1 : onFaces ? 2 : 0);
     values.low = vec4(mDomain.low, 0);
     values.high = vec4(mDomain.high, 0);
-    values.weight = vec4(window.point ? 1 : 0, 0, 0, 0);
-    values.map = ivec4(window.pixels, static_cast<int>(mSeed), 0);
-    values.batch = batch.place;
+    values.weight = vec4(window.point ? 1 : 0, part.weight);
+    values.map = ivec4(window.pixels, static_cast<int>(mSeed + 0x9E3779B9u * part.number),
+                       static_cast<int>(first));
+    values.batch = part.place;
+    values.axis = axisOf(window.source);
+    // Photons of many points fill each other's gaps; parallel ones do by their maps' shifts.
+    const bool shifts = window.point && (onFaces || window.startsAtLight) && mManySources;
+    const dvec2 inPixel = shifts ? shiftOf(part.number) : dvec2(0.5);
+    values.cone = coneOf(window.source);
+    values.cone.z = static_cast<float>(inPixel.x);
+    values.cone.w = static_cast<float>(inPixel.y);
     mBlock.upload(&values, sizeof values);
     mBlock.bindUniform(kParamsBlock);
-    photons.map.clear();
-    if (!window.startsAtLight) {
+    if (!window.startsAtLight && !onFaces) {
+        photons.map.clear();
         mSurface.bindStorage(kCornersBuffer);
         gpu::drawTriangles(mMapProgram, mCorners, window.pixels.x, window.pixels.y, &photons.map);
         gpu::barrier();
     }
-    photons.count.clear();
     photons.bind();
-    photons.map.bindSampler(kPhotonMapUnit);
-    transport.bind();
     mProgram.dispatch({window.pixels, 1});
     gpu::barrier();
     device.check("photon emission");
+}
+
+std::uint32_t Emission::emit(gpu::Device& device, const scene::Transport& transport,
+                             const Batch& batch, Photons& photons) {
+    glm::ivec2 largest(0);
+    for (const Part& part : batch.parts) largest = glm::max(largest, part.window.pixels);
+    photons.fit(device, batch.pixels(), largest, mManyObjects);
+    photons.count.clear();
+    photons.map.bindSampler(kPhotonMapUnit);
+    transport.bind();
+    std::int64_t first = 0;
+    for (const Part& part : batch.parts) {
+        emit(device, part, first, photons);
+        first += part.pixels();
+    }
     std::uint32_t emitted = 0;
     photons.count.download(&emitted, sizeof emitted);
     return emitted;

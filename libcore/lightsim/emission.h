@@ -7,34 +7,49 @@
 
 namespace eikonal::lightsim {
 
-/// A part of a window of a light's photon map.
-struct Batch {
+/// A part of a window of a source's photon map.
+struct Part {
     Window window;
     glm::ivec4 place{0, 0, 1, 0}; ///< its pixels are every z-th of the window's, from x, y on
+    unsigned number = 0;          ///< of its source, of those that stand for a light
+    double area = 0;              ///< of a pixel of the window, straight ahead [voxel² or sr]
+    glm::dvec3 weight{1};         ///< of a photon straight ahead
+    std::int64_t pixels() const { return std::int64_t{window.pixels.x} * window.pixels.y; }
 };
 
-/// The interleaved parts of a window, none of more than kBatchPixels.
-std::vector<Batch> batchesOf(const Window& window);
+/// Photons that are sent at a time: one, or of an extended light the parts of many sources.
+struct Batch {
+    std::vector<Part> parts;
+    Unit unit; ///< of a photon of weight 1
+    std::int64_t pixels() const;
+};
 
 class Emission {
 public:
     Emission(gpu::Device& device, const Plan& plan, const Params& params);
 
-    /// The windows through which a light in voxel space sees what photons start on.
-    std::vector<Window> windowsOf(const Light& light, const Params& params) const;
+    /// The batches of a light that these stand for, none of more than kBatchPixels.
+    std::vector<Batch> batchesOf(const std::vector<Source>& sources, const Params& params) const;
 
     /// Fills `photons` and its list. Returns how many there are.
     std::uint32_t emit(gpu::Device& device, const scene::Transport& transport, const Batch& batch,
                        Photons& photons);
 
 private:
+    std::vector<Part> partsOf(const std::vector<Source>& sources, const Params& params) const;
+
+    void emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons);
+
     gpu::Program mMapProgram, mProgram;
     gpu::Buffer mSurface, mBlock;
     std::int64_t mCorners = 0;
     VoxelBox mDomain, mTarget;
     int mReceivers; ///< that receive light, along an edge of a voxel
+    double mVoxelSize;
     std::uint32_t mSeed = 0;
-    bool mManyObjects; ///< more than a photon's own bits tell
+    bool mManyObjects;    ///< more than a photon's own bits tell
+    bool mManySources;    ///< that stand for a light
+    bool mStartsOnDomain; ///< there is no proxy
 };
 
 } // namespace eikonal::lightsim

@@ -24,9 +24,7 @@ EnergyMeter::EnergyMeter(gpu::Device& device)
 
 BatchEnergy EnergyMeter::sum(const scene::Transport& transport, const Photons& photons) {
     PhotonParams values{};
-    values.list =
-        uvec4(0, kItems, 0,
-              static_cast<unsigned>(photons.pixels.x) * static_cast<unsigned>(photons.pixels.y));
+    values.list = uvec4(0, kItems, 0, static_cast<unsigned>(photons.pixels));
     mBlock.upload(&values, sizeof values);
     mBlock.bindUniform(kParamsBlock);
     transport.bind();
@@ -49,16 +47,15 @@ BatchEnergy EnergyMeter::sum(const scene::Transport& transport, const Photons& p
     return batch;
 }
 
-void book(Stats& stats, const Plan& plan, const Light& light, double power,
-          const BatchEnergy& emitted, const BatchEnergy& done) {
+void book(Stats& stats, const Plan& plan, const Unit& unit, const BatchEnergy& emitted,
+          const BatchEnergy& done) {
     Energy& energy = stats.energy;
     for (int c = 0; c < 3; ++c) {
-        const double watts = light.rgb[c] * power;
+        const double watts = unit.rgb[c] * unit.power;
         const auto i = static_cast<size_t>(c);
         const int channel = plan.colour ? c : 0;
-        // A point light shines all round; what it emits is booked once, by its light.
-        if (light.kind == Light::Kind::directional)
-            energy.emitted[i] += emitted.remaining[channel] * watts;
+        // A light with a place shines elsewhere, too; what it emits is booked once, by the light.
+        if (!unit.isPoint) energy.emitted[i] += emitted.remaining[channel] * watts;
         energy.entered[i] += emitted.remaining[channel] * watts;
         energy.absorbed[i] += done.absorbed[channel] * watts;
         energy.scattered[i] += done.scattered[channel] * watts;
@@ -70,17 +67,15 @@ void book(Stats& stats, const Plan& plan, const Light& light, double power,
     stats.count("atomic_adds", done.counts[2] * plan.planes());
 }
 
-glm::dvec4 book(Stats& stats, const Plan& plan, const Light& light, double power,
-                const BeamEnergy& done) {
+glm::dvec4 book(Stats& stats, const Plan& plan, const Unit& unit, const BeamEnergy& done) {
     Energy& energy = stats.energy;
     glm::dvec4 dropped(0);
     for (int c = 0; c < 3; ++c) {
-        const double watts = light.rgb[c] * power;
+        const double watts = unit.rgb[c] * unit.power;
         const auto i = static_cast<size_t>(c);
         const int channel = plan.colour ? c : 0;
         const double lost = done.deep[channel] + done.trapped[channel] + done.dim[channel];
-        if (light.kind == Light::Kind::directional)
-            energy.emitted[i] += done.entered[channel] * watts;
+        if (!unit.isPoint) energy.emitted[i] += done.entered[channel] * watts;
         energy.entered[i] += done.entered[channel] * watts;
         energy.escaped[i] += done.left[channel] * watts;
         energy.lost[i] += lost * watts;
@@ -92,8 +87,8 @@ glm::dvec4 book(Stats& stats, const Plan& plan, const Light& light, double power
     return dropped;
 }
 
-glm::dvec4 droppedPower(const Light& light, double power, const BatchEnergy& done) {
-    return done.dropped * (power * (light.rgb.x + light.rgb.y + light.rgb.z) / 3);
+glm::dvec4 droppedPower(const Unit& unit, const BatchEnergy& done) {
+    return done.dropped * (unit.power * (unit.rgb.x + unit.rgb.y + unit.rgb.z) / 3);
 }
 
 void tellDropped(Stats& stats, const glm::dvec4& power) {

@@ -29,18 +29,17 @@ private:
 };
 
 /// Books a batch in the statistics: what entered with the photons when they were emitted, and what
-/// has become of it. A photon of weight 1 has `power` [m² or sr] of the light's RGB.
-void book(Stats& stats, const Plan& plan, const Light& light, double power,
-          const BatchEnergy& emitted, const BatchEnergy& done);
+/// has become of it.
+void book(Stats& stats, const Plan& plan, const Unit& unit, const BatchEnergy& emitted,
+          const BatchEnergy& done);
 
-/// The same of a batch of beams, a cell of weight 1 having `power`. Returns what limits took away
-/// [W], the mean of rgb, in the order of BatchEnergy::dropped.
-glm::dvec4 book(Stats& stats, const Plan& plan, const Light& light, double power,
-                const BeamEnergy& done);
+/// The same of a batch of beams. Returns what limits took away [W], the mean of rgb, in the order
+/// of BatchEnergy::dropped.
+glm::dvec4 book(Stats& stats, const Plan& plan, const Unit& unit, const BeamEnergy& done);
 
 /// Power that a batch's photons took away when limits ended them [W], the mean of rgb, in the order
 /// of BatchEnergy::dropped.
-glm::dvec4 droppedPower(const Light& light, double power, const BatchEnergy& done);
+glm::dvec4 droppedPower(const Unit& unit, const BatchEnergy& done);
 
 /// Counts such power of all batches as shares of what has entered (`light_dropped_by_depth` ...).
 void tellDropped(Stats& stats, const glm::dvec4& power);

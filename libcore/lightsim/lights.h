@@ -1,23 +1,53 @@
-// The lights of a scene.
+// The lights of a scene, as people give them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/mat4x4.hpp>
+#include "image/image.h"
+
+#include <array>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 
 namespace eikonal::lightsim {
 
+/// A light in the world. It is seen by no picture and casts no shadow itself.
 struct Light {
-    enum class Kind { directional, point } kind = Kind::directional;
-    glm::dvec3 vector{0, -1, 0}; ///< direction of travel, or position in the world [unit]
-    glm::dvec3 rgb{1};           ///< irradiance [W/m²], or radiant intensity [W/sr]
+    enum class Kind {
+        directional,
+        point,
+        spot,
+        rect,
+        sphere,
+        environment
+    } kind = Kind::directional;
+    glm::dvec3 vector{0, -1, 0}; ///< direction of travel, or position or centre [unit]
+    glm::dvec3 rgb{1}; ///< irradiance across its axis [W/m²], radiant intensity [W/sr], or of rect
+                       ///< and sphere radiance [W/(m² sr)]
+    double angle = 0;  ///< directional: its disc's diameter; spot: from axis to edge [degree]
+    double soft = 0;   ///< spot: it fades within angle ± soft [degree]
+    glm::dvec3 axis{0, -1, 0};           ///< spot: of length 1
+    std::array<glm::dvec3, 2> edges{};   ///< rect: whole; it shines to the side of their product
+    double radius = 0;                   ///< sphere [unit]
+    std::string file{};                  ///< environment: FILE or FILE:LAYER
+    std::shared_ptr<image::Image> map{}; ///< environment: R, G, B, radiance, read by who parsed it
+    glm::dmat3 mapFromWorld{1};          ///< environment: its pose
+    std::string name{};                  ///< of its layers and files
+
+    /// Whether many points or directions stand for it.
+    bool isExtended() const;
+    /// Whether it stands somewhere, and sends the same power whatever the scene is.
+    bool hasPlace() const { return kind != Kind::directional && kind != Kind::environment; }
 };
 
-/// `directional:DX,DY,DZ[:R,G,B]` or `point:X,Y,Z[:R,G,B]`. Throws UsageError.
+/// `[NAME=]KIND:...`, see kLightSpecs. Throws UsageError.
 Light parseLight(const std::string& spec);
 
-/// The light with its position or direction in voxel space.
-Light inVoxels(const Light& light, const glm::dmat4& voxelFromWorld);
+/// All kinds in one sentence.
+extern const char* const kLightSpecs;
+
+/// What a light that has a place sends into all directions [W].
+glm::dvec3 powerOf(const Light& light);
 
 } // namespace eikonal::lightsim

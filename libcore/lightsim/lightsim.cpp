@@ -19,8 +19,6 @@ namespace eikonal::lightsim {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Times what `work` does on the device under that name.
 template<typename Work> auto timed(gpu::Profiler& profiler, const char* name, const Work& work) {
     profiler.begin(name);
@@ -115,8 +113,7 @@ std::uint32_t trace(Run& run, std::uint32_t emitted, double unit, const Progress
 }
 
 /// Sends a batch with this fixed-point unit. Returns whether every sum held it.
-bool send(Run& run, const Light& light, const Batch& batch, double power, double unit,
-          const Progress& progress) {
+bool send(Run& run, const Batch& batch, double unit, const Progress& progress) {
     const std::uint32_t emitted = run.pass("photon emission", [&] {
         return run.emission->emit(run.device, run.transport, batch, run.photons);
     });
@@ -126,55 +123,44 @@ bool send(Run& run, const Light& light, const Batch& batch, double power, double
         run.pass("photons", [&] { return trace(run, emitted, unit, progress); });
     if (PhotonTracer::overflowed(run.photons)) return false;
     const BatchEnergy after = run.pass("energy", sum);
-    book(run.stats, run.plan, light, power, before, after);
-    run.dropped += droppedPower(light, power, after);
+    book(run.stats, run.plan, batch.unit, before, after);
+    run.dropped += droppedPower(batch.unit, after);
     if (run.plan.bends && run.params.tracing.integrator == optics::Integrator::adaptive)
         run.stats.raise("position_error_voxels", after.error);
     if (left > 0) run.stats.count("photons_left_by_thinning", left);
     run.profiler.begin("resolve");
-    run.receivers.resolve(run.device, light.rgb, power, unit);
+    run.receivers.resolve(run.device, batch.unit.rgb, batch.unit.power, unit);
     run.profiler.end();
     return true;
 }
 
 /// A batch from its light to the receivers. Where a sum nears the end of its range it is sent again
 /// with a smaller unit.
-void sendBatch(Run& run, const Light& light, const Batch& batch, double power,
-               const Progress& progress) {
-    const double pixels = static_cast<double>(batch.window.pixels.x) * batch.window.pixels.y;
-    if (pixels == 0) return;
+void sendBatch(Run& run, const Batch& batch, const Progress& progress) {
     const double kLeast = 1.0 / 1024; // 2^32 voxel lengths of every photon: beyond any path
-    for (double unit = unitFor(pixels); unit >= kLeast; unit /= 16) {
-        if (send(run, light, batch, power, unit, progress)) return report(progress, 1.0);
+    for (double unit = unitFor(static_cast<double>(batch.pixels())); unit >= kLeast; unit /= 16) {
+        if (send(run, batch, unit, progress)) return report(progress, 1.0);
         run.stats.count("batches_run_again", 1);
         run.receivers.clear();
     }
     throw InternalError("photons overflow a voxel's sum");
 }
 
-/// All photons of a light in voxel space.
-void sendPhotons(Run& run, const Light& light, const Progress& progress) {
-    const double total = light.rgb.x + light.rgb.y + light.rgb.z;
-    const std::vector<Window> windows = run.emission->windowsOf(light, run.params);
-    const double h = run.plan.scene.voxelSize();
-    for (size_t w = 0; w < windows.size(); ++w) {
-        // Radiant power per unit of the light's RGB in a photon of weight 1 [m² or sr].
-        const double power = windows[w].pixelArea() * (windows[w].point ? 1.0 : h * h);
-        const std::vector<Batch> batches = batchesOf(windows[w]);
-        const double all = static_cast<double>(windows.size() * batches.size());
-        for (size_t b = 0; b < batches.size(); ++b) {
-            const double begun = static_cast<double>(w * batches.size() + b);
-            run.tracer->begin(light.rgb / total, ++run.batches);
-            sendBatch(run, light, batches[b], power,
-                      partOf(progress, begun / all, (begun + 1) / all));
-        }
+/// All photons of a light that these stand for.
+void sendPhotons(Run& run, const std::vector<Source>& sources, const Progress& progress) {
+    const std::vector<Batch> batches = run.emission->batchesOf(sources, run.params);
+    const auto all = static_cast<double>(batches.size());
+    for (size_t b = 0; b < batches.size(); ++b) {
+        const glm::dvec3& rgb = batches[b].unit.rgb;
+        run.tracer->begin(rgb / (rgb.x + rgb.y + rgb.z), ++run.batches);
+        const auto begun = static_cast<double>(b);
+        sendBatch(run, batches[b], partOf(progress, begun / all, (begun + 1) / all));
     }
 }
 
 /// A batch of beams to the surfaces. Where a sum nears the end of its range it is sent again with a
 /// smaller unit.
-void sendBeams(Run& run, const Light& light, const Window& window, const Beams::Batch& batch,
-               double power) {
+void sendBeams(Run& run, const Window& window, const Beams::Batch& batch, const Unit& of) {
     SurfaceReceiver& surfaces = run.receivers.surfaces();
     // A surface voxel gets 2^20 in the mean, if all light comes to surfaces. No one part is more
     // than what kNearFull leaves free.
@@ -189,10 +175,10 @@ void sendBeams(Run& run, const Light& light, const Window& window, const Beams::
                              batch, unit, energy, run.profiler, run.stats);
         if (held) {
             run.pass("collect", [&] {
-                surfaces.collect(run.device, light.rgb, power, unit);
+                surfaces.collect(run.device, of.rgb, of.power, unit);
                 return 0;
             });
-            if (!run.plan.photons) run.dropped += book(run.stats, run.plan, light, power, energy);
+            if (!run.plan.photons) run.dropped += book(run.stats, run.plan, of, energy);
             return;
         }
         run.stats.count("batches_run_again", 1);
@@ -201,59 +187,83 @@ void sendBeams(Run& run, const Light& light, const Window& window, const Beams::
     throw InternalError("beams overflow a surface voxel's sum");
 }
 
-/// All beams of a light in voxel space.
-void sendBeams(Run& run, const Light& light, const Progress& progress) {
+/// All beams of a source, of so many that stand for a light.
+void sendBeams(Run& run, const Source& source, size_t sources, const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
-    const std::vector<Window> windows = run.beams->windowsOf(light);
-    run.beams->begin(light.rgb / (light.rgb.x + light.rgb.y + light.rgb.z));
+    const std::vector<Window> windows = run.beams->windowsOf(source, sources);
+    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z), sources);
     for (size_t w = 0; w < windows.size(); ++w) {
-        // Radiant power per unit of the light's RGB in a cell of weight 1 [m² or sr].
-        const double power = windows[w].pixelArea() * (windows[w].point ? 1.0 : h * h);
+        const Unit unit{source.rgb, windows[w].pixelArea() * (source.isPoint() ? 1.0 : h * h),
+                        source.isPoint()};
         const std::vector<Beams::Batch> batches = Beams::batchesOf(windows[w]);
         const double all = static_cast<double>(windows.size() * batches.size());
         for (size_t b = 0; b < batches.size(); ++b) {
             const double begun = static_cast<double>(w * batches.size() + b);
-            sendBeams(run, light, windows[w], batches[b], power);
+            sendBeams(run, windows[w], batches[b], unit);
             report(progress, (begun + 1) / all);
         }
     }
 }
 
+/// All beams of a light that these stand for.
+void sendBeams(Run& run, const std::vector<Source>& sources, const Progress& progress) {
+    const auto all = static_cast<double>(sources.size());
+    for (size_t k = 0; k < sources.size(); ++k) {
+        const auto begun = static_cast<double>(k);
+        sendBeams(run, sources[k], sources.size(),
+                  partOf(progress, begun / all, (begun + 1) / all));
+    }
+}
+
 void sendLight(Run& run, const Light& light, const Progress& progress) {
     if (light.rgb.x + light.rgb.y + light.rgb.z <= 0) return;
-    if (light.kind == Light::Kind::point)
+    if (light.hasPlace())
         for (size_t c = 0; c < 3; ++c)
-            run.stats.energy.emitted[c] += 4 * kPi * light.rgb[static_cast<int>(c)];
+            run.stats.energy.emitted[c] += powerOf(light)[static_cast<int>(c)];
+    const auto sources = [&](Method method) {
+        const Keep keep = run.plan.receivesInVolume() && method == Method::photons
+                              ? Keep::fluence
+                              : Keep::irradiance;
+        return sourcesOf(light, samplesFor(run.plan, run.params, light, method), keep,
+                         run.plan.scene.voxelFromWorld());
+    };
     const double split = run.plan.photons && run.plan.beams ? 0.5 : run.plan.beams ? 1.0 : 0.0;
     if (run.plan.beams && run.receivers.surfaces().count() > 0)
-        sendBeams(run, light, partOf(progress, 0, split));
-    if (run.plan.photons) sendPhotons(run, light, partOf(progress, split, 1));
+        sendBeams(run, sources(Method::beams), partOf(progress, 0, split));
+    if (run.plan.photons) sendPhotons(run, sources(Method::photons), partOf(progress, split, 1));
 }
 
 } // namespace
 
 Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats,
-                const Progress& progress) {
+                const Progress& progress, const TakeLight& take) {
     device.requireFit(needsOf(plan, params));
     gpu::Profiler profiler(stats);
     stats.hasEnergy = true;
     Run run = begin(device, plan, params, stats, profiler);
+    const bool apart = params.lightsApart && plan.points.empty();
     const std::vector<optics::Band> bands = optics::wholeLight();
-    const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
     const double parts = static_cast<double>(bands.size() * params.lights.size());
     double done = 0;
-    for (const Light& light : params.lights) {
+    Result sum;
+    for (size_t k = 0; k < params.lights.size(); ++k) {
         for (const optics::Band& band : bands) {
-            Light part = inVoxels(light, voxelFromWorld);
+            Light part = params.lights[k];
             part.rgb *= band.weight;
             sendLight(run, part, partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
             ++done;
         }
-        if (params.lightsApart && !plan.points.empty()) run.receivers.readPoints(device, plan);
+        if (params.lightsApart && !apart) run.receivers.readPoints(device, plan);
+        if (!apart) continue;
+        const Result light = run.receivers.finish(device, plan, params, stats);
+        take(k, light);
+        add(sum, light);
+        if (k + 1 < params.lights.size())
+            run.receivers = Receivers(device, plan, params, run.transport, run.media, profiler);
     }
     tellDropped(stats, run.dropped);
     profiler.collect();
-    Result result = run.receivers.finish(device, plan, params, stats);
+    Result result = apart ? std::move(sum) : run.receivers.finish(device, plan, params, stats);
     report(progress, 1.0);
     stats.gpuPeakBytes = std::max(stats.gpuPeakBytes, device.peakBytes());
     return result;

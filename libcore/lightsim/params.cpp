@@ -35,7 +35,15 @@ std::int64_t photonCount(double number) {
 
 void Params::check() const {
     if (lights.empty()) throw UsageError("--light: none given, expected at least one");
+    require(lightSamples >= 0 && lightSamples <= kMostLightSamples, "--light-samples", lightSamples,
+            "auto or 1 to " + std::to_string(kMostLightSamples));
     if (photons != 0) photonCount(static_cast<double>(photons));
+    const bool directionAlone =
+        outputs == Output::direction || outputs == (Output::direction | Output::irradiance);
+    if (lightsApart && !automaticOutputs && directionAlone)
+        throw UsageError(
+            "--outputs: found light_direction without fluence, by which --lights-apart "
+            "adds up directions; expected both");
     tracing.check("--tolerance");
     require(octreeTolerance >= 0, "--octree-tolerance", octreeTolerance, "0 or more");
     require(octreeTolerance2 >= octreeTolerance, "--octree-tolerance2", octreeTolerance2,

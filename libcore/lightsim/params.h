@@ -49,10 +49,14 @@ struct PointOnSurface {
 /// How often a cell of a light's map is split at most.
 constexpr int kMostBeamLevels = 4;
 
+/// Most sources that may stand for an extended light.
+constexpr int kMostLightSamples = 1 << 14;
+
 struct Params {
     Method method = Method::automatic;
     optics::Tracing tracing; ///< its step caps the octree's; 0: no cap
     std::vector<Light> lights;
+    int lightSamples = 0;           ///< sources that stand for an extended light; 0: automatic
     std::int64_t photons = 0;       ///< pixels of each light's photon map; 0: by the voxels
     double octreeTolerance = 0.005; ///< ε: index range within which a leaf counts as constant [1]
     double octreeTolerance2 = 0.02; ///< ε': range within which a leaf limits the step [1]

@@ -66,8 +66,28 @@ std::vector<dvec3> clip(const std::vector<dvec3>& polygon, const dvec3& normal, 
     return out;
 }
 
+/// Half spaces, in the window's frame, that hold all directions into which the source shines.
+std::vector<dvec3> shineOf(const Window& window) {
+    const Source& source = window.source;
+    const auto turned = [&](const dvec3& p) {
+        return dvec3(glm::dot(p, window.right), glm::dot(p, window.up),
+                     glm::dot(p, window.forward));
+    };
+    const bool isCone = source.spread == Source::Spread::cone && source.outer < 0.5 * M_PI;
+    if (source.spread == Source::Spread::cosine) return {turned(source.axis)};
+    if (!isCone) return {};
+    // A pyramid round the cone.
+    Window frame;
+    aim(frame, source.axis, referenceFor(source.axis));
+    const dvec3 along = std::sin(source.outer) * source.axis;
+    const double across = std::cos(source.outer);
+    return {turned(along + across * frame.right), turned(along - across * frame.right),
+            turned(along + across * frame.up), turned(along - across * frame.up)};
+}
+
 /// The tangents under which the box is seen within 45° of the view's axis, and its depth range.
 Bounds boundsInFace(const Window& window, const VoxelBox& box, double least) {
+    const std::vector<dvec3> sides = shineOf(window);
     const auto corners = cornersOf(box);
     const int faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
                              {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
@@ -79,6 +99,7 @@ Bounds boundsInFace(const Window& window, const VoxelBox& box, double least) {
         for (const dvec3& side : {dvec3(1, 0, 1), dvec3(-1, 0, 1), dvec3(0, 1, 1), dvec3(0, -1, 1)})
             polygon = clip(polygon, side, 0);
         polygon = clip(polygon, {0, 0, 1}, least);
+        for (const dvec3& side : sides) polygon = clip(polygon, side, 0);
         for (const dvec3& p : polygon) bounds.include({p.x / p.z, p.y / p.z, p.z});
     }
     return bounds;
@@ -103,10 +124,11 @@ double pixelOf(const MapDetail& detail, double area, double voxel) {
     return std::sqrt(area / wanted);
 }
 
-std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target,
+std::vector<Window> parallelWindow(const Source& source, const VoxelBox& target,
                                    const MapDetail& detail, const dvec2& shift) {
     Window window;
-    const dvec3 forward = glm::normalize(light.vector);
+    window.source = source;
+    const dvec3 forward = glm::normalize(source.vector);
     aim(window, forward, referenceFor(forward));
     Bounds bounds;
     for (const dvec3& corner : cornersOf(target)) bounds.include(inView(window, corner));
@@ -126,20 +148,23 @@ std::vector<Window> parallelWindow(const Light& light, const VoxelBox& target,
     return {window};
 }
 
-std::vector<Window> cubeWindows(const Light& light, const VoxelBox& target, const VoxelBox& domain,
-                                const MapDetail& detail, bool hasProxy) {
+std::vector<Window> cubeWindows(const Source& source, const VoxelBox& target,
+                                const VoxelBox& domain, const MapDetail& detail, bool hasProxy) {
     const dvec3 centre = 0.5 * (target.low + target.high);
     const double size = glm::length(target.high - target.low);
     Window front;
     front.point = true;
-    front.origin = light.vector;
-    const dvec3 towards = centre - light.vector;
+    front.source = source;
+    front.origin = source.vector;
+    const dvec3 towards = centre - source.vector;
     const double distance = glm::length(towards);
     const double least = 1e-5 * (distance + size);
     // Nearer to a face than the near plane the map would not see that face.
-    front.startsAtLight = !hasProxy && domain.contains(light.vector, least);
-    // From outside, the cube's front face looks at the target, which then mostly fits that face.
-    const dvec3 forward = distance > 1e-9 * size ? towards / distance : dvec3(0, 0, 1);
+    front.startsAtLight = !hasProxy && domain.contains(source.vector, least);
+    // From outside, the cube's front face looks at the target, which then mostly fits that face; a
+    // cone's looks along it.
+    const dvec3 ahead = distance > 1e-9 * size ? towards / distance : dvec3(0, 0, 1);
+    const dvec3 forward = source.spread == Source::Spread::cone ? source.axis : ahead;
     aim(front, forward, referenceFor(forward));
 
     std::vector<Window> windows;
@@ -223,11 +248,10 @@ glm::dmat4 Window::clipFromVoxel() const {
     return clipFromView * viewFromVoxel;
 }
 
-std::vector<Window> windowsOf(const Light& light, const VoxelBox& target, const VoxelBox& domain,
+std::vector<Window> windowsOf(const Source& source, const VoxelBox& target, const VoxelBox& domain,
                               const MapDetail& detail, const dvec2& shift, bool hasProxy) {
-    return light.kind == Light::Kind::directional
-               ? parallelWindow(light, target, detail, shift)
-               : cubeWindows(light, target, domain, detail, hasProxy);
+    return source.isPoint() ? cubeWindows(source, target, domain, detail, hasProxy)
+                            : parallelWindow(source, target, detail, shift);
 }
 
 } // namespace eikonal::lightsim

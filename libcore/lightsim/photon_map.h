@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "lightsim/params.h"
+#include "lightsim/sources.h"
 
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -22,6 +23,7 @@ struct VoxelBox {
 /// One rectangle of a photon map: parallel rays, or a part of one face of a cube round the light.
 struct Window {
     bool point = false;
+    Source source;                 ///< whose rays go through it
     glm::dvec3 right, up, forward; ///< orthonormal, voxel space
     glm::dvec3 origin{0};          ///< the light [voxel]; point lights only
     glm::dvec2 low, extent;        ///< offsets [voxel] or tangents
@@ -48,10 +50,10 @@ struct MapDetail {
     std::int64_t most = 1 << 24; ///< pixels by that
 };
 
-/// The windows through which `light` (in voxel space) sees `target`, by pixels of that detail. A
-/// directional light's map is shifted by `shift` pixels in [0, 1)². The domain tells whether the
-/// light stands inside.
-std::vector<Window> windowsOf(const Light& light, const VoxelBox& target, const VoxelBox& domain,
+/// The windows through which a source sees `target`, by pixels of that detail; none where it shines
+/// elsewhere. A map of parallel rays is shifted by `shift` pixels in [0, 1)². The domain tells
+/// whether the source stands inside.
+std::vector<Window> windowsOf(const Source& source, const VoxelBox& target, const VoxelBox& domain,
                               const MapDetail& detail, const glm::dvec2& shift, bool hasProxy);
 
 } // namespace eikonal::lightsim

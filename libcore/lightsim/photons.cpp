@@ -29,14 +29,17 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
 
 } // namespace
 
-void Photons::fit(gpu::Device& device, const glm::ivec2& batch, bool manyObjects) {
-    if (pixels == batch) return;
-    pixels = batch;
-    const std::int64_t all = std::int64_t{batch.x} * batch.y;
-    map = gpu::Texture(); // freed before the next is allocated
+void Photons::fit(gpu::Device& device, std::int64_t all, const glm::ivec2& largest,
+                  bool manyObjects) {
+    if (mapSize != largest) {
+        mapSize = largest;
+        map = gpu::Texture(); // freed before the next is allocated
+        map = gpu::Texture(device, glm::ivec3(largest, 0), gpu::TexelFormat::rgba32f,
+                           gpu::Filter::nearest);
+    }
+    if (pixels == all) return;
+    pixels = all;
     for (gpu::Buffer* buffer : {&slots, &list, &nextList, &objects}) *buffer = gpu::Buffer();
-    map =
-        gpu::Texture(device, glm::ivec3(batch, 0), gpu::TexelFormat::rgba32f, gpu::Filter::nearest);
     slots = gpu::Buffer(device, all * static_cast<std::int64_t>(sizeof(Photon)));
     list = gpu::Buffer(device, all * 4);
     nextList = gpu::Buffer(device, all * 4);

@@ -19,13 +19,14 @@ constexpr std::int64_t kBytesPerSet = 8;
 
 /// The photons of one batch: a slot for each pixel of the map, and lists of those that go on.
 struct Photons {
-    glm::ivec2 pixels{0};
+    std::int64_t pixels = 0; ///< of all maps of a batch
+    glm::ivec2 mapSize{0};   ///< of the largest
     gpu::Texture map;
     gpu::Buffer slots, list, nextList, count;
     gpu::Buffer objects; ///< of many: those that each photon is in
 
     /// Makes room for a batch, if it has not got that already.
-    void fit(gpu::Device& device, const glm::ivec2& batch, bool manyObjects);
+    void fit(gpu::Device& device, std::int64_t all, const glm::ivec2& largest, bool manyObjects);
     /// What emission and tracing both write, at the bindings of shaders/shared/bindings.h.
     void bind() const;
 };

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace eikonal::lightsim {
 
@@ -22,8 +24,20 @@ namespace {
 
 using scene::Region;
 
+// Sources that stand for an extended light, where nothing else is asked for. Many share a batch of
+// photons; each has beams of its own.
+constexpr int kPhotonSources = 256;
+constexpr int kBeamSources = 64;
+constexpr int kLeastSources = 8;
+
 bool isGrey(const glm::dvec3& rgb) {
     return rgb.x == rgb.y && rgb.y == rgb.z;
+}
+
+bool isGrey(const image::Image& map) {
+    for (size_t i = 0; i < map.area(); ++i)
+        if (map.plane(0)[i] != map.plane(1)[i] || map.plane(0)[i] != map.plane(2)[i]) return false;
+    return true;
 }
 
 bool receives(const scene::Scene& scene) {
@@ -92,11 +106,12 @@ void listEffects(Plan& plan, const Params& params) {
     add(named("absorption"));
     add(named("scattering"));
     add({"colour", runs && plan.colour,
-         plan.colour       ? (sharp ? "coefficients or mirrors differ by wavelength"
-                                    : "coefficients differ by wavelength")
-         : sharp           ? "media and mirrors are grey"
-         : plan.attenuates ? "the medium is grey"
-                           : "nothing absorbs or scatters"});
+         plan.colouredSources ? "parts of an environment differ by wavelength"
+         : plan.colour        ? (sharp ? "coefficients or mirrors differ by wavelength"
+                                       : "coefficients differ by wavelength")
+         : sharp              ? "media and mirrors are grey"
+         : plan.attenuates    ? "the medium is grey"
+                              : "nothing absorbs or scatters"});
     add(named("opaque"));
     if (plan.scene.disperses) add(named("dispersion"));
 }
@@ -118,7 +133,10 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
                   (scene.sharp && scene.anyColoured({&Region::reflectance}));
     plan.dense = deepestVoxel(plan) > 0.25;
     plan.opaque = scene.anyOpaque();
-    for (const Light& light : params.lights) plan.colouredLight |= !isGrey(light.rgb);
+    for (const Light& light : params.lights) {
+        plan.colouredLight |= !isGrey(light.rgb);
+        plan.sourcesDiffer |= light.isExtended() || light.kind == Light::Kind::spot;
+    }
     if (plan.wants(Output::irradiance)) plan.surfaces = findSurfaces(scene, params.surfaceDetail);
     if (!params.points.empty()) {
         plan.points = pointsInVoxels(params.points, scene);
@@ -132,6 +150,10 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.beams = params.method != Method::photons && !plan.surfaces.empty();
     plan.photons =
         plan.receivesInVolume() || (params.method == Method::photons && !plan.surfaces.empty());
+    // Parts of an environment differ in colour, and their photons share batches.
+    for (const Light& light : params.lights)
+        plan.colouredSources |= plan.photons && light.map && !isGrey(*light.map);
+    plan.colour |= plan.colouredSources;
     listEffects(plan, params);
     if (!volume.holdsScene()) plan.warnings = scene::idleWarnings(scene::Files(volume), {});
     if (plan.outputs == Output::none) return plan;
@@ -141,6 +163,17 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
         plan.warnings.push_back("--proxy skips the medium between the domain's faces and the "
                                 "proxy: it neither dims nor receives light there");
     return plan;
+}
+
+int samplesFor(const Plan& plan, const Params& params, const Light& light, Method method) {
+    if (!light.isExtended()) return 1;
+    if (params.lightSamples > 0) return params.lightSamples;
+    if (method == Method::photons) return kPhotonSources;
+    if (light.kind != Light::Kind::directional) return kBeamSources;
+    // The widest penumbra of the domain fades by steps of a fine voxel.
+    const double across = glm::length(glm::dvec3(plan.scene.size())) * plan.surfaces.detail;
+    const double wide = 2 * std::tan(glm::radians(0.5 * std::min(light.angle, 90.0))) * across;
+    return std::clamp(static_cast<int>(std::ceil(wide)), kLeastSources, kBeamSources);
 }
 
 std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {

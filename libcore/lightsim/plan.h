@@ -26,6 +26,8 @@ struct Plan {
     bool dense = false;      ///< a voxel's diagonal may have an optical depth above 0.25
     bool colour = false;     ///< media or mirrors differ by wavelength: three traced channels
     bool colouredLight = false;
+    bool sourcesDiffer = false;   ///< of a light: in weight, or by direction
+    bool colouredSources = false; ///< of a light's: photons have its colours, not batches
     bool opaque = false;
     ReceivingBricks receiving;          ///< none where no volume receives
     OpaqueSurfaces surfaces;            ///< none where no surface receives
@@ -53,6 +55,9 @@ struct Plan {
 /// Reads the grids the simulation needs and decides. Throws DataError for a volume without what
 /// the contract wants.
 Plan makePlan(const volume::Volume& volume, const Params& params);
+
+/// How many sources stand for a light when it is carried that way.
+int samplesFor(const Plan& plan, const Params& params, const Light& light, Method method);
 
 /// What the run will hold on the device.
 std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params);

@@ -25,4 +25,8 @@ struct Result {
     std::vector<std::vector<LightAtPoint>> points;
 };
 
+/// Adds another light's grids to these, both of the same plan: directions by their fluence, a mean
+/// of RGB.
+void add(Result& sum, const Result& light);
+
 } // namespace eikonal::lightsim

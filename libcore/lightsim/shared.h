@@ -17,7 +17,7 @@ using glm::vec4;
 #include "shared/lightsim_params.h"
 #include "shared/limits.h"
 
-static_assert(sizeof(EmissionParams) == 224);
+static_assert(sizeof(EmissionParams) == 256);
 static_assert(sizeof(PhotonParams) == 112);
 static_assert(sizeof(ResolveParams) == 112);
 static_assert(sizeof(Photon) == 96);
@@ -26,6 +26,6 @@ static_assert(sizeof(SurfacePoint) == 32);
 static_assert(sizeof(PointLight) == 32);
 static_assert(sizeof(BeamPoint) == 80);
 static_assert(sizeof(BeamNode) == 64);
-static_assert(sizeof(BeamParams) == 256);
+static_assert(sizeof(BeamParams) == 288);
 
 } // namespace eikonal::lightsim

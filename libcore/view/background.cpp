@@ -3,6 +3,7 @@
 #include "view/background.h"
 
 #include "image/halves.h"
+#include "image/lat_long.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,12 +59,8 @@ void tellBackground(ViewParams& values, const scene::Scene& scene, const Params&
                     const std::optional<image::Image>& map) {
     const bool byEdges = map && map->envmap == image::Envmap::latLong;
     values.background = vec4(params.background, !map ? 1 : byEdges ? 3 : 2);
-    const double angle = glm::radians(params.environmentTurn);
-    // A turn by +90° brings what the map shows at +X to +Z, as turning the map to the right does.
-    glm::dmat3 mapFromWorld(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0,
-                            std::cos(angle));
-    // A Z-up map's pole +Z is the map's +Y; its +X stays.
-    if (params.environmentZUp) mapFromWorld = mapFromWorld * glm::dmat3(1, 0, 0, 0, 0, -1, 0, 1, 0);
+    const glm::dmat3 mapFromWorld =
+        image::mapFromWorld(params.environmentTurn, params.environmentZUp);
     const glm::dmat3 rows = glm::transpose(mapFromWorld * scene.worldFromVoxelTurn());
     values.mapFromVoxel0 = vec4(rows[0], 0);
     values.mapFromVoxel1 = vec4(rows[1], 0);

@@ -20,11 +20,13 @@ const float kFaint = 2.0; // of a beam that carries what so many fine voxels get
 const int kMostCells = 16;   // cells along a beam: one that bends so much is a guess in any case
 const float kDensity = 80.0; // cells along it for a bend as large as itself
 const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
+const float kChange = 0.05;  // a cell's light, even over it, may change by so much along it
 
 // Cells along one side of a beam, whose rows have their points `step` apart and begin `row` apart, none
 // longer than that.
-int cellsAlong(vec3 place[9], int step, int row, float longest) {
+int cellsAlong(vec3 place[9], float weight[9], int step, int row, float longest) {
     float bend = 0.0;
+    float change = 0.0;
     float extent = 0.0;
     for (int i = 0; i < 3; ++i) {
         vec3 a = place[i * row];
@@ -32,8 +34,12 @@ int cellsAlong(vec3 place[9], int step, int row, float longest) {
         vec3 c = place[i * row + 2 * step];
         bend = max(bend, length(0.5 * (a + c) - b));
         extent = max(extent, length(c - a));
+        vec3 along = vec3(weight[i * row], weight[i * row + step], weight[i * row + 2 * step]);
+        change = max(change, abs(along.y - along.x) + abs(along.z - along.y));
     }
-    float wanted = min(max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat)), 1.5 * max(extent, 2.0 * bend));
+    float changing = change / (kChange * max(weight[4], 1.0e-20));
+    float bending = max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat));
+    float wanted = min(max(bending, changing), 1.5 * max(extent, 2.0 * bend));
     return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
 }
 
@@ -47,11 +53,16 @@ void main() {
     if (!broken) {
         float fine = float(params.size.w);
         vec3 place[9]; // [fine voxel]
-        for (int i = 0; i < 9; ++i) place[i] = points[pointOf(node, i)].place.xyz * fine;
+        float weight[9];
+        for (int i = 0; i < 9; ++i) {
+            BeamPoint point = points[pointOf(node, i)];
+            place[i] = point.place.xyz * fine;
+            weight[i] = point.weight.x;
+        }
         float edge = float(node.place.z) / float(params.levels.x);
-        float carries = edge * edge * params.map.x * fine * fine * points[node.second.x].weight.x;
+        float carries = edge * edge * params.map.x * fine * fine * weight[4];
         float longest = carries < kFaint ? 1.0e9 : kLongest;
-        count = ivec2(cellsAlong(place, 1, 3, longest), cellsAlong(place, 3, 1, longest));
+        count = ivec2(cellsAlong(place, weight, 1, 3, longest), cellsAlong(place, weight, 3, 1, longest));
     }
     // Those of beams from the front, others from the back, so that vectors are of one kind.
     uint all = uint(count.x * count.y);

@@ -12,9 +12,10 @@
 #include "transport/interface.glsl"
 #include "transport/path.glsl"
 
-#if !defined(CHANNELS) || !defined(MEDIUM)
-#error CHANNELS must be 1 or 3, MEDIUM 0 to 2
+#if !defined(CHANNELS) || !defined(MEDIUM) || !defined(EXTENDED)
+#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, EXTENDED 0 or 1
 #endif
+const bool kExtended = EXTENDED == 1; // sources differ by direction
 const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
 const bool kColour = CHANNELS == 3; // media or mirrors' tints differ by wavelength
 
@@ -28,6 +29,7 @@ layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[
 layout(std430, binding = kParentObjectsBuffer) readonly buffer ParentObjects { ObjectSet parentObjects[]; };
 layout(binding = kOpacityFieldUnit) uniform sampler3D opacityField;
 #include "lightsim/medium.glsl"
+#include "lightsim/spread.glsl"
 #include "lightsim/step_limit.glsl"
 #include "transport/opaque_voxels.glsl"
 
@@ -126,8 +128,10 @@ bool onEnd(inout Path path, inout Load load) {
 // A ray from the light through a place on its map, if it meets the domain.
 Path pathFromLight(ivec2 map) {
     vec2 share = params.batch.xy + params.batch.zw * vec2(map);
-    vec2 at = params.window.xy + params.window.zw * share;
     bool point = params.forward.w == 1.0;
+    // On the border of a point's window rounding would decide whether a ray meets the domain.
+    if (point) share = clamp(share, 1.0e-5, 1.0 - 1.0e-5);
+    vec2 at = params.window.xy + params.window.zw * share;
     bool within = params.origin.w == 1.0;
     vec3 direction = params.forward.xyz;
     vec3 x = params.origin.xyz;
@@ -136,12 +140,17 @@ Path pathFromLight(ivec2 map) {
         direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
         float q = 1.0 / (1.0 + dot(at, at));
         weight = q * sqrt(q); // solid angle over that of a part of the map straight ahead
+        if (kExtended) weight *= shareTowards(params.axis, params.cone, direction);
     } else {
         x = at.x * params.right.xyz + at.y * params.up.xyz;
     }
     vec3 high = 2.0 * transport.halfSize.xyz - 0.5;
     Path path = pathFrom(x, direction, 1 << 16);
     path.throughput = vec3(weight);
+    if (kExtended && weight == 0.0) {
+        path.status = kNone;
+        return path;
+    }
     if (!within) {
         vec2 span = boxSpan(x, direction, vec3(-0.5), high);
         if (point) span.x = max(span.x, 0.0);

@@ -7,6 +7,11 @@
 #include "transport/path.glsl"
 #include "transport/regions.glsl"
 
+#if !defined(EXTENDED)
+#error EXTENDED must be 0 or 1
+#endif
+const bool kExtended = EXTENDED == 1; // sources differ in weight, or by direction
+
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { EmissionParams params; };
 layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; };
@@ -14,6 +19,7 @@ layout(std430, binding = kPhotonsBuffer) writeonly buffer Photons { Photon photo
 layout(std430, binding = kObjectsBuffer) writeonly buffer InObjects { ObjectSet inObjects[]; }; // of many
 layout(std430, binding = kListBuffer) writeonly buffer List { uint list[]; };
 layout(binding = kPhotonMapUnit) uniform sampler2D photonMap;
+#include "lightsim/spread.glsl"
 
 // The integral of the solid angle from the view's axis to tangents (u, v), a quarter of a pyramid's.
 float cornerAngle(float u, float v) {
@@ -50,22 +56,38 @@ float chanceAt(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.map.xy))) return;
-    uint id = uint(pixel.y * params.map.x + pixel.x);
+    uint id = uint(pixel.y * params.map.x + pixel.x) + (kExtended ? uint(params.map.w) : 0u);
     vec4 met = texelFetch(photonMap, pixel, 0);
     bool startsAtLight = params.origin.w == 1.0;
-    if (met.w == 0.0 && !startsAtLight) {
+    bool startsOnFaces = kExtended && params.origin.w == 2.0;
+    if (met.w == 0.0 && !startsAtLight && !startsOnFaces) {
         photons[id].count = uvec4(kNone);
         return;
     }
 
     vec2 at = params.window.xy + params.window.zw * (vec2(pixel) + 0.5) / vec2(params.map.xy);
+    vec2 ray = kExtended ? at + (params.cone.zw - 0.5) * params.window.zw / vec2(params.map.xy) : at;
     vec3 direction = params.forward.xyz;
     float weight = 1.0;
     if (params.weight.x == 1.0) {
-        direction = normalize(direction + at.x * params.right.xyz + at.y * params.up.xyz);
+        direction = normalize(direction + ray.x * params.right.xyz + ray.y * params.up.xyz);
         weight = solidAngleOf(at, params.window.zw / vec2(params.map.xy));
+        if (kExtended) weight *= shareTowards(params.axis, params.cone, direction);
+    }
+    if (kExtended && weight == 0.0) {
+        photons[id].count = uvec4(kNone);
+        return;
     }
     vec3 x = startsAtLight ? params.origin.xyz : met.xyz;
+    if (startsOnFaces) {
+        x = params.weight.x == 1.0 ? params.origin.xyz : ray.x * params.right.xyz + ray.y * params.up.xyz;
+        vec2 span = boxSpan(x, direction, params.low.xyz, params.high.xyz);
+        if (span.x >= span.y || (params.weight.x == 1.0 && span.x < 0.0)) {
+            photons[id].count = uvec4(kNone);
+            return;
+        }
+        x += span.x * direction;
+    }
     if (any(lessThan(x, params.low.xyz)) || any(greaterThan(x, params.high.xyz))) {
         // A proxy may reach beyond the domain; rounding may put a face's point just outside it.
         vec2 span = boxSpan(x, direction, params.low.xyz, params.high.xyz);
@@ -92,7 +114,8 @@ void main() {
     Photon photon;
     photon.place = vec4(x, 0.0);
     photon.wave = vec4(indexOf(regionOf(objects), x) * direction, 0.0);
-    photon.weight = vec4(vec3(weight), uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
+    photon.weight = vec4(kExtended ? weight * params.weight.yzw : vec3(weight),
+                         uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
     photon.absorbed = vec4(vec3(0.0), kObjects > 0 ? chanceAt(pixel) : 0.5);
     photon.scattered = vec4(vec3(0.0), 1.0);
     photon.count = uvec4(kAlive, 0u, 0u, firstBits(objects));

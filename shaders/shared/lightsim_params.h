@@ -7,12 +7,16 @@ struct EmissionParams {
     vec4 up;
     vec4 forward; // xyz: directional light's direction of travel, or the view's axis
     vec4 window;  // tangents, or offsets [voxel], at the window's low corner, and its extents
-    vec4 origin;  // xyz: the light in voxels; w: 1 if photons start there, 0 at the map's depth
+    vec4 origin;  // xyz: the light in voxels; w: 1 if photons start there, 0 at the
+                  // map's depth, 2 on the domain's faces
     vec4 low;     // the domain's low corner [voxel]
     vec4 high;    // the domain's high corner [voxel]
-    vec4 weight;  // x: 1 for a point light
-    ivec4 map;    // x, y: pixels of the map; z: the seed
+    vec4 weight;  // x: 1 for a point light; yzw: the source's share of the batch's unit, rgb
+    ivec4 map;    // x, y: pixels of the map; z: the seed; w: its first photon
     ivec4 batch;  // this map's pixels are every z-th of a larger one's, from x, y on
+    vec4 axis;    // xyz: about which the source shines (Source::Spread in libcore/lightsim/sources.h),
+                  // w: 0 all round, 1 by the cosine about it, 2 in a cone about it
+    vec4 cone;    // x, y: the angles between which that fades [rad]; zw: where in its pixel a ray goes
 };
 
 struct PhotonParams {

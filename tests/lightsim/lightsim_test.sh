@@ -24,9 +24,9 @@ test_bad_usage() {
     local spec
     for spec in '' sun directional directional: directional:1,2 directional:1,2,3,4 directional:0,0,0 \
         directional:a,b,c directional:1,2,nan directional:1,2,inf directional:1,2,3: \
-        directional:1,2,3:1,2 directional:1,2,3:-1,0,0 directional:1,2,3:1,2,3:4 point point:1,2 \
+        directional:1,2,3:1,2 directional:1,2,3:-1,0,0 directional:1,2,3:1,2,3:-4 point point:1,2 \
         point:1,2,x point:1,2,3:1,2,3,4 point:nan,0,0 'directional:1e300,1e300,1e300' \
-        'directional: 1,2,3' spot:1,2,3; do
+        'directional: 1,2,3' spot:1,2,3 rect:1,2,3:1,0,0 sphere:1,2,3:0 environment: 'a b=point:1,2,3'; do
         refuses 64 in.vdb -o out.vdb --light "$spec"
     done
     local option
@@ -253,15 +253,48 @@ test_progress() {
     rm out.vdb
 }
 
+test_lights() {
+    make_volume floor.vdb size=16 voxel=0.1 ior constant:1 opacity sphere:0.5:1:0 albedo constant:0.5
+    # A sky that is brighter above, as a 4 x 2 map, in a format that is not EXR.
+    printf 'P3 4 2 255 200 200 255 200 200 255 200 200 255 200 200 255 9 9 9 9 9 9 9 9 9 9 9 9\n' >sky.ppm
+    local two="--light key=spot:0,2,0:0,-1,0:30:5:9 --light sky=environment:sky.ppm --light-samples 4"
+    expect 0 lightsim floor.vdb $two $few -o lit.vdb --lights-apart --stats stats.json
+    holds stats.json '.energy.entered[0] > 0'
+    local file
+    for file in lit.vdb lit.key.vdb lit.sky.vdb; do
+        vdb_print $file | grep -q irradiance || fail "no irradiance in $file"
+    done
+    expect 0 lightsim floor.vdb --light spot:0,2,0:0,-1,0:30:5:9 $few -o alone.vdb
+    cmp -s <(vdb_print -l alone.vdb | grep -v ^lightsim) <(vdb_print -l lit.key.vdb | grep -v ^lightsim) ||
+        fail "a light apart differs from it alone"
+    expect 0 lightsim floor.vdb $two $few -o turned.vdb --env-up z --env-rotate 90
+    # Of a scene that light does nothing to there are as many files.
+    expect 0 lightsim glass.vdb $two $few -o dark.vdb --lights-apart --quiet
+    [ -s dark.key.vdb ] && [ -s dark.sky.vdb ] || fail "files of lights apart are missing"
+    refuses 64 floor.vdb $two -o - --lights-apart
+    says '--lights-apart'
+    refuses 64 floor.vdb --light a=point:1,2,3 --light a=point:3,2,1 -o out2.vdb
+    says 'two are named a'
+    refuses 64 floor.vdb --light 2=point:1,2,3 --light point:3,2,1 -o out2.vdb
+    refuses 64 lit.key.vdb $two -o lit.vdb --lights-apart
+    says 'is an input'
+    refuses 64 floor.vdb $two -o out2.vdb --light-samples 0
+    refuses 64 floor.vdb $two -o out2.vdb --light-samples 1e9
+    refuses 66 floor.vdb --light environment:nothing.exr -o out2.vdb
+    refuses 65 floor.vdb --light environment:floor.vdb -o out2.vdb
+    refuses 64 floor.vdb --light environment:sky.ppm -o sky.ppm
+    rm -f lit*.vdb alone.vdb turned.vdb dark*.vdb sky.ppm floor.vdb stats.json
+}
+
 test_points() {
     local picture="--eye 0,0,5 --target 0,0,0 --fov 30 --size 16x12"
     make_volume floor.vdb size=16 voxel=0.1 ior constant:1 opacity sphere:0.5:1:0 albedo constant:0.5
     render floor.vdb $picture -o points.exr --aov position,normal --quiet
-    expect 0 lightsim floor.vdb $sun --light directional:0,0,-1 --at points.exr -o light.exr --lights-apart
+    expect 0 lightsim floor.vdb $sun --light back=directional:0,0,-1 --at points.exr -o light.exr --lights-apart
     oiiotool --info -v light.exr >info || fail "oiiotool does not read it"
     local layer
-    for layer in irradiance.R irradiance_direction.X irradiance_1.G irradiance_2.B \
-        irradiance_direction_2.Z position.X normal.Z 'eikonal:tool: "lightsim"'; do
+    for layer in irradiance.R irradiance_direction.X irradiance_1.G irradiance_back.B \
+        irradiance_direction_back.Z position.X normal.Z 'eikonal:tool: "lightsim"'; do
         grep -q "$layer" info || fail "no $layer: $(cat info)"
     done
     expect 0 lightsim floor.vdb $sun --at points.exr -o again.exr
@@ -271,8 +304,6 @@ test_points() {
     says '.exr with --at'
     refuses 64 floor.vdb $sun --at points.exr -o out.exr --outputs irradiance
     says '--outputs'
-    refuses 64 floor.vdb $sun -o out.vdb --lights-apart
-    says '--at'
     refuses 64 floor.vdb $sun --at points.exr -o points.exr
     refuses 66 floor.vdb $sun --at nothing.exr -o out.exr
     refuses 65 floor.vdb $sun --at floor.vdb -o out.exr

@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "common/session.h"
 #include "common/tracing.h"
+#include "image/lat_long.h"
+#include "image/picture.h"
 #include "lightsim/lightsim.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
@@ -12,14 +14,17 @@
 #include "scene/surface_voxels.h"
 
 #include <charconv>
+#include <filesystem>
 
 using namespace eikonal;
 
 namespace {
 
 struct Options {
-    std::string input, method = "auto", outputs = "auto", detail = "auto", photons = "auto", proxy,
-                       octree, points;
+    std::string input, method = "auto", outputs = "auto", detail = "auto", photons = "auto",
+                       samples = "auto", proxy, octree, points;
+    double mapTurn = 0;
+    bool mapZUp = false;
     std::vector<std::string> lights;
     volume::GridNames names;
     lightsim::Params params;
@@ -33,12 +38,30 @@ void addOptions(tool::Session& session, Options& o) {
         ->type_name("IN.vdb")
         ->required();
     app.add_option("--light", o.lights,
-                   "directional:DX,DY,DZ[:R,G,B], the direction the light travels in and its "
-                   "irradiance [W/m²], or point:X,Y,Z[:R,G,B], its position and radiant intensity "
-                   "[W/sr]; may be given again")
+                   "a light, named NAME=SPEC if wanted; may be given again: "
+                   "directional:DX,DY,DZ[:R,G,B[:DEG]], the direction the light travels in, its "
+                   "irradiance [W/m²] and its disc's diameter (the sun's: 0.53); "
+                   "point:X,Y,Z[:R,G,B], its position and radiant intensity [W/sr]; "
+                   "spot:X,Y,Z:DX,DY,DZ:ANGLE[:SOFT][:R,G,B], a point that shines within ANGLE of "
+                   "its axis [degree], fading within ANGLE ± SOFT; "
+                   "rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], centre and two whole edges, radiance "
+                   "[W/(m² sr)] to the side of U x V; "
+                   "sphere:X,Y,Z:RADIUS[:R,G,B], radiance; "
+                   "environment:FILE[:LAYER], a lat-long map of radiance all round")
         ->type_name("SPEC")
         ->required()
         ->allow_extra_args(false);
+    app.add_option("--light-samples", o.samples,
+                   "points or directions that stand for a light with an extent; auto: of photons "
+                   "256, of beams up to 64")
+        ->type_name("N")
+        ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--env-up", [&o](const std::string& axis) { o.mapZUp = axis == "z"; },
+           "an environment's up axis: y (OpenEXR's), or z")
+        ->check(CLI::IsMember({"y", "z"}));
+    app.add_option("--env-rotate", o.mapTurn, "turn environments about their up axis [degree]")
+        ->type_name("DEG");
     app.add_option("--method", o.method,
                    "how light is carried: photons, beams, or auto (to surfaces by beams, through "
                    "volumes by photons)")
@@ -58,15 +81,14 @@ void addOptions(tool::Session& session, Options& o) {
                    "up to 8, some two millions in all")
         ->type_name("K")
         ->capture_default_str();
-    auto* at = app.add_option(
-                      "--at", o.points,
-                      "light for the points of a picture: its layers position and normal, as "
-                      "render --aov writes them; the output is an .exr with the layers irradiance, "
-                      "irradiance_direction")
-                   ->type_name("POINTS.exr");
+    app.add_option("--at", o.points,
+                   "light for the points of a picture: its layers position and normal, as render "
+                   "--aov writes them; the output is an .exr with the layers irradiance, "
+                   "irradiance_direction")
+        ->type_name("POINTS.exr");
     app.add_flag("--lights-apart", p.lightsApart,
-                 "with --at: beside the sum each light's own layers, irradiance_1 and so on")
-        ->needs(at);
+                 "beside OUT.vdb, which has all light, OUT.NAME.vdb of each light, which is its "
+                 "number where it has no name; with --at its layers irradiance_NAME and so on");
     app.add_option("--beam-error", p.beamError,
                    "how far off what is inside a beam may be, about [fine voxel]")
         ->type_name("E")
@@ -136,13 +158,15 @@ lightsim::Output parseOutputs(const std::string& list) {
     return static_cast<lightsim::Output>(outputs);
 }
 
-int parseDetail(const std::string& text) {
-    int detail = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), detail);
-    if (error != std::errc() || end != text.data() + text.size() || detail < 1)
-        throw UsageError("--surface-detail: found '" + text + "', expected auto or 1 to " +
-                         std::to_string(scene::kMostDetail));
-    return detail;
+/// A whole number from 1 on, or 0 for auto.
+int parseCount(const std::string& option, const std::string& text, int most) {
+    if (text == "auto") return 0;
+    int count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc() || end != text.data() + text.size() || count < 1)
+        throw UsageError(option + ": found '" + text + "', expected auto or 1 to " +
+                         std::to_string(most));
+    return count;
 }
 
 std::int64_t parsePhotons(const std::string& text) {
@@ -162,6 +186,41 @@ mesh::TriangleMesh readProxy(const std::string& path) {
     return mesh;
 }
 
+/// Lights with their names, which are their numbers where none is given.
+void parseLights(Options& o) {
+    for (const std::string& spec : o.lights) {
+        lightsim::Light light = lightsim::parseLight(spec);
+        if (light.name.empty()) light.name = std::to_string(o.params.lights.size() + 1);
+        for (const lightsim::Light& other : o.params.lights)
+            if (other.name == light.name)
+                throw UsageError("--light: two are named " + light.name +
+                                 ", expected different names");
+        light.mapFromWorld = image::mapFromWorld(o.mapTurn, o.mapZUp);
+        o.params.lights.push_back(std::move(light));
+    }
+}
+
+std::vector<std::string> inputsOf(const Options& o) {
+    std::vector<std::string> inputs{o.input, o.proxy, o.points};
+    for (const lightsim::Light& light : o.params.lights)
+        inputs.push_back(image::parsePictureName(light.file).path);
+    return inputs;
+}
+
+void readEnvironments(tool::Session& session, Options& o) {
+    for (lightsim::Light& light : o.params.lights) {
+        if (light.kind != lightsim::Light::Kind::environment) continue;
+        image::Environment read = image::readEnvironment(image::parsePictureName(light.file));
+        for (const std::string& warning : read.warnings) session.warn(warning);
+        light.map = std::make_shared<image::Image>(std::move(read.map));
+    }
+}
+
+/// Where a light stands that sends all its rays from a few points.
+bool isInside(const lightsim::Light& light, const mesh::TriangleMesh& mesh) {
+    return light.hasPlace() && mesh::windingNumber(mesh, light.vector) > 0.5;
+}
+
 /// A proxy's triangles, curved as mesh2vol does by default: an object's own mesh then holds all of
 /// the object, and its outline is the object's. No light may be inside.
 lightsim::Triangles curvedProxy(const mesh::TriangleMesh& flat, double voxelSize,
@@ -170,9 +229,8 @@ lightsim::Triangles curvedProxy(const mesh::TriangleMesh& flat, double voxelSize
     const mesh::TriangleMesh mesh = mesh::curved(flat, mesh::findFans(flat, mesh::kUsualSmooth),
                                                  mesh::kSagitta * voxelSize, counts);
     for (const lightsim::Light& light : o.params.lights)
-        if (light.kind == lightsim::Light::Kind::point &&
-            mesh::windingNumber(mesh, light.vector) > 0.5)
-            throw UsageError("--proxy: a point light is inside " + o.proxy + ", expected outside");
+        if (isInside(light, mesh))
+            throw UsageError("--proxy: a light is inside " + o.proxy + ", expected outside");
     lightsim::Triangles corners;
     for (const glm::uvec3& triangle : mesh.triangles)
         for (int i = 0; i < 3; ++i) corners.push_back(mesh.points[triangle[i]]);
@@ -190,6 +248,37 @@ void writeOctree(tool::Session& session, const Options& o, const volume::Volume&
     out.write(session.extraOutput(o.octree), session.history());
 }
 
+/// Light that is there replaces what the volume held.
+void putGrids(volume::Volume& volume, const lightsim::Plan& plan, const lightsim::Result& light) {
+    volume::PutOptions options;
+    options.vectorType = "color";
+    if (plan.wants(lightsim::Output::fluence))
+        volume.put("fluence", volume.domain(), light.fluence, options);
+    options.vectorType = "vector";
+    if (plan.wants(lightsim::Output::direction))
+        volume.put("light_direction", volume.domain(), light.direction, options);
+    if (!light.irradiance.empty()) volume.putFine("irradiance", volume.domain(), light.irradiance);
+}
+
+/// The file of a light apart: OUT.NAME.vdb.
+std::string pathOf(const tool::Session& session, const lightsim::Light& light) {
+    std::filesystem::path path = session.outputPaths().at(0);
+    const std::string extension = path.extension();
+    return path.replace_extension(light.name + extension);
+}
+
+/// What --lights-apart writes beside the output.
+std::vector<std::string> filesApart(const tool::Session& session, const Options& o) {
+    std::vector<std::string> files;
+    if (!o.params.lightsApart || !o.points.empty()) return files;
+    const std::string& path = session.outputPaths().at(0);
+    if (path == "-" || writtenInPlace(path))
+        throw UsageError("--lights-apart: found the output " + path +
+                         ", expected a file's name, beside which each light's is written");
+    for (const lightsim::Light& light : o.params.lights) files.push_back(pathOf(session, light));
+    return files;
+}
+
 /// What fell on a picture's points, as a picture.
 void writeLight(tool::Session& session, const Options& o, const volume::Volume& volume,
                 const image::Image& points, const lightsim::Result& result) {
@@ -199,7 +288,9 @@ void writeLight(tool::Session& session, const Options& o, const volume::Volume& 
         {"eikonal:tool", history.tool},
         {"eikonal:version", history.version},
         {"eikonal:command", appendHistory(volume.metadata("eikonal:command"), history.command)}};
-    const size_t apart = o.params.lightsApart ? o.params.lights.size() : 0;
+    std::vector<std::string> apart;
+    for (const lightsim::Light& light : o.params.lights)
+        if (o.params.lightsApart) apart.push_back(light.name);
     const image::Image light = picture_points::lightOf(points, apart, result.points);
     session.pass("write", [&] {
         image::writeExr(light, attributes, *session.outputs().at(0), session.threads());
@@ -218,10 +309,11 @@ void checkPoints(tool::Session& session, const Options& o) {
 }
 
 void simulate(tool::Session& session, Options& o) {
-    for (const std::string& spec : o.lights) o.params.lights.push_back(lightsim::parseLight(spec));
+    parseLights(o);
     o.params.method = lightsim::parseMethod(o.method);
     if (o.photons != "auto") o.params.photons = parsePhotons(o.photons);
-    if (o.detail != "auto") o.params.surfaceDetail = parseDetail(o.detail);
+    o.params.surfaceDetail = parseCount("--surface-detail", o.detail, scene::kMostDetail);
+    o.params.lightSamples = parseCount("--light-samples", o.samples, lightsim::kMostLightSamples);
     o.params.automaticOutputs = o.outputs == "auto";
     if (!o.params.automaticOutputs) o.params.outputs = parseOutputs(o.outputs);
     o.params.seed = session.seed();
@@ -229,7 +321,9 @@ void simulate(tool::Session& session, Options& o) {
     if (session.app().count("--octree-tolerance2") == 0)
         o.params.octreeTolerance2 = std::max(o.params.octreeTolerance2, o.params.octreeTolerance);
     o.params.check();
-    session.guardInputs({o.input, o.proxy, o.points}, {o.octree});
+    std::vector<std::string> further = filesApart(session, o);
+    further.push_back(o.octree);
+    session.guardInputs(inputsOf(o), further);
     if (!o.points.empty()) checkPoints(session, o);
     std::optional<mesh::TriangleMesh> proxy;
     if (!o.proxy.empty()) proxy = readProxy(o.proxy);
@@ -238,6 +332,7 @@ void simulate(tool::Session& session, Options& o) {
     std::optional<lightsim::Plan> plan;
     image::Image points;
     session.pass("read", [&] {
+        readEnvironments(session, o);
         volume.emplace(volume::Volume::open(o.input, o.names));
         if (proxy) o.params.proxy = curvedProxy(*proxy, volume->frame().voxelSize, o);
         if (!o.points.empty()) {
@@ -261,30 +356,26 @@ void simulate(tool::Session& session, Options& o) {
     if (!o.octree.empty()) writeOctree(session, o, *volume, *plan);
     lightsim::Result result;
     if (plan->outputs == lightsim::Output::none) {
+        for (const std::string& path : filesApart(session, o))
+            volume->write(session.extraOutput(path), session.history());
         session.note(o.points.empty() ? "nothing in " + volume->path() +
                                             " scatters or receives light: nothing to simulate"
                                       : "no point of " + o.points + " is on an opaque surface of " +
                                             volume->path() + ": nothing to simulate");
     } else {
+        const auto takeLight = [&](size_t light, const lightsim::Result& its) {
+            putGrids(*volume, *plan, its);
+            volume->write(session.extraOutput(pathOf(session, o.params.lights[light])),
+                          session.history());
+        };
         result = lightsim::simulate(session.device(), *plan, o.params, session.stats(),
-                                    session.progress());
+                                    session.progress(), takeLight);
         o.tracing->warnOf(session, "photons");
         tool::warnOfDropped(session, {{"light_dropped_by_depth", "--max-depth"},
                                       {"light_dropped_by_steps", "--max-steps"},
                                       {"light_dropped_by_thinning", "--thin-to"},
                                       {"light_dropped_as_dim", "--drop-below"}});
-        if (o.points.empty())
-            session.pass("grids", [&] {
-                volume::PutOptions options;
-                options.vectorType = "color";
-                if (plan->wants(lightsim::Output::fluence))
-                    volume->put("fluence", volume->domain(), result.fluence, options);
-                options.vectorType = "vector";
-                if (plan->wants(lightsim::Output::direction))
-                    volume->put("light_direction", volume->domain(), result.direction, options);
-                if (!result.irradiance.empty())
-                    volume->putFine("irradiance", volume->domain(), result.irradiance);
-            });
+        if (o.points.empty()) session.pass("grids", [&] { putGrids(*volume, *plan, result); });
     }
     if (!o.points.empty()) return writeLight(session, o, *volume, points, result);
     session.pass("write", [&] { volume->write(out, session.history()); });

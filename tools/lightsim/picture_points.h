@@ -47,9 +47,9 @@ inline lightsim::Points pointsOf(const image::Image& picture) {
     return points;
 }
 
-/// The layers irradiance and irradiance_direction, of so many lights apart irradiance_1 and so on
-/// beside them, and the points. `lights` is empty where no point is on a surface.
-inline image::Image lightOf(const image::Image& points, size_t apart,
+/// The layers irradiance and irradiance_direction, of lights apart irradiance_NAME and so on beside
+/// them, and the points. `lights` is empty where no point is on a surface.
+inline image::Image lightOf(const image::Image& points, const std::vector<std::string>& apart,
                             const std::vector<std::vector<lightsim::LightAtPoint>>& lights) {
     image::Image out(points.width, points.height);
     const auto add = [&](const std::string& suffix,
@@ -78,9 +78,8 @@ inline image::Image lightOf(const image::Image& points, size_t apart,
         }
     }
     add("", sum);
-    for (size_t k = 0; k < apart; ++k)
-        add("_" + std::to_string(k + 1),
-            lights.empty() ? std::vector<lightsim::LightAtPoint>() : lights[k]);
+    for (size_t k = 0; k < apart.size(); ++k)
+        add("_" + apart[k], lights.empty() ? std::vector<lightsim::LightAtPoint>() : lights[k]);
     for (size_t c = 0; c < points.channels.size(); ++c)
         out.addChannels({points.channels[c]}, points.plane(c), 1);
     return out;
