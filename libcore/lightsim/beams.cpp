@@ -56,9 +56,9 @@ constexpr std::int64_t kPointBytes = sizeof(BeamPoint);
 /// The widest cell to begin with of a point's map [tangent]: within it the intensity over the map
 /// is about a polynomial of second degree.
 double widestCell(const Source& source) {
-    const double kWidest = 0.25, kLeast = 1.0 / 64;
+    const double kMost = 0.25, kLeast = 1.0 / 64;
     const double fades = 0.5 * (source.outer - source.inner);
-    return source.spread == Source::Spread::cone ? std::clamp(fades, kLeast, kWidest) : kWidest;
+    return source.spread == Source::Spread::cone ? std::clamp(fades, kLeast, kMost) : kMost;
 }
 
 std::int64_t cellsOf(const Params& params) {

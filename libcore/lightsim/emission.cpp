@@ -86,8 +86,7 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
     : mMapProgram(device, "lightsim/map.vert.glsl", "lightsim/map.frag.glsl", {}),
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
       mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
-      mTarget(mDomain), mReceivers(plan.receivesInVolume() ? 1 : plan.surfaces.detail),
-      mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
+      mTarget(mDomain), mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
       mManyObjects(scene::areMany(plan.scene.objects)), mManySources(plan.sourcesDiffer),
       mStartsOnDomain(params.proxy.empty()) {
     std::vector<glm::vec4> corners;
@@ -107,15 +106,15 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
     mSurface = gpu::Buffer(device, mCorners * 16, corners.data());
 }
 
-std::vector<Part> Emission::partsOf(const std::vector<Source>& sources,
-                                    const Params& params) const {
+std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Params& params,
+                                    int receivers) const {
     // The plastic number's powers spread successive seeds evenly over a pixel.
     const dvec2 seeded =
         static_cast<double>(params.seed) * dvec2(0.7548776662466927, 0.5698402909980532);
     const auto count = static_cast<std::int64_t>(sources.size());
     const MapDetail detail{
         params.photons > 0 ? std::max<std::int64_t>(params.photons / count, 1) : 0,
-        kPhotonEdge / mReceivers * std::sqrt(static_cast<double>(count)), kMostPhotons / count};
+        kPhotonEdge / receivers * std::sqrt(static_cast<double>(count)), kMostPhotons / count};
     std::vector<Part> parts;
     for (unsigned k = 0; k < sources.size(); ++k) {
         const dvec2 shift = glm::fract(seeded + shiftOf(k));
@@ -127,13 +126,13 @@ std::vector<Part> Emission::partsOf(const std::vector<Source>& sources,
     return parts;
 }
 
-std::vector<Batch> Emission::batchesOf(const std::vector<Source>& sources,
-                                       const Params& params) const {
+std::vector<Batch> Emission::batchesOf(const std::vector<Source>& sources, const Params& params,
+                                       int receivers) const {
     const double voxelArea = mVoxelSize * mVoxelSize;
     std::vector<Batch> batches;
     std::vector<Part> some;
     std::int64_t pixels = 0;
-    for (Part& part : partsOf(sources, params)) {
+    for (Part& part : partsOf(sources, params, receivers)) {
         if (sources.size() == 1) {
             const bool point = part.window.point;
             const double power = part.area * (point ? 1.0 : voxelArea);

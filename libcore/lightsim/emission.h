@@ -28,15 +28,18 @@ class Emission {
 public:
     Emission(gpu::Device& device, const Plan& plan, const Params& params);
 
-    /// The batches of a light that these stand for, none of more than kBatchPixels.
-    std::vector<Batch> batchesOf(const std::vector<Source>& sources, const Params& params) const;
+    /// The batches of a light that these stand for, none of more than kBatchPixels; of so many
+    /// photons as receivers, so many along an edge of a voxel, want.
+    std::vector<Batch> batchesOf(const std::vector<Source>& sources, const Params& params,
+                                 int receivers) const;
 
     /// Fills `photons` and its list. Returns how many there are.
     std::uint32_t emit(gpu::Device& device, const scene::Transport& transport, const Batch& batch,
                        Photons& photons);
 
 private:
-    std::vector<Part> partsOf(const std::vector<Source>& sources, const Params& params) const;
+    std::vector<Part> partsOf(const std::vector<Source>& sources, const Params& params,
+                              int receivers) const;
 
     void emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons);
 
@@ -44,7 +47,6 @@ private:
     gpu::Buffer mSurface, mBlock;
     std::int64_t mCorners = 0;
     VoxelBox mDomain, mTarget;
-    int mReceivers; ///< that receive light, along an edge of a voxel
     double mVoxelSize;
     std::uint32_t mSeed = 0;
     bool mManyObjects;    ///< more than a photon's own bits tell

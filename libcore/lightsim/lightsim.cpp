@@ -38,8 +38,8 @@ struct Run {
     Media media;
     gpu::Texture leaves;
     Receivers receivers;
-    std::optional<Emission> emission; ///< and what else photons take
-    std::optional<PhotonTracer> tracer;
+    std::optional<Emission> emission;            ///< and what else photons take
+    std::optional<PhotonTracer> tracer, bouncer; ///< of light as it comes, and reflected
     std::optional<EnergyMeter> meter;
     std::optional<Beams> beams;
     Photons photons{};
@@ -88,73 +88,85 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
                 {},
                 {},
                 {},
+                {},
                 {}};
-        if (plan.photons) {
+        if (plan.sendsPhotons()) {
             run.emission.emplace(device, plan, params);
-            run.tracer.emplace(device, plan, params);
             run.meter.emplace(device);
         }
+        if (plan.photons) run.tracer.emplace(device, plan, params, false);
+        if (plan.bounces > 0) run.bouncer.emplace(device, plan, params, true);
         if (plan.beams) run.beams.emplace(device, plan, params);
         return run;
     });
 }
 
 /// Traces the photons emitted to the end, or until few are left. Returns how many are.
-std::uint32_t trace(Run& run, std::uint32_t emitted, double unit, const Progress& progress) {
+std::uint32_t trace(Run& run, bool bounced, std::uint32_t emitted, double unit,
+                    const Progress& progress) {
     const auto few = static_cast<std::uint32_t>(run.params.thinTo * emitted);
     std::uint32_t count = emitted;
-    run.receivers.bind();
+    run.receivers.bind(bounced);
+    PhotonTracer& tracer = bounced ? *run.bouncer : *run.tracer;
     while (count > few) {
-        count = run.tracer->run(run.device, run.transport, run.media, run.leaves, run.photons,
-                                count, unit);
+        count =
+            tracer.run(run.device, run.transport, run.media, run.leaves, run.photons, count, unit);
         report(progress, 1.0 - static_cast<double>(count) / emitted);
     }
     return count;
 }
 
 /// Sends a batch with this fixed-point unit. Returns whether every sum held it.
-bool send(Run& run, const Batch& batch, double unit, const Progress& progress) {
+bool send(Run& run, const Batch& batch, bool bounced, double unit, const Progress& progress) {
     const std::uint32_t emitted = run.pass("photon emission", [&] {
         return run.emission->emit(run.device, run.transport, batch, run.photons);
     });
     const auto sum = [&] { return run.meter->sum(run.transport, run.photons); };
     const BatchEnergy before = run.pass("energy", sum);
-    const std::uint32_t left =
-        run.pass("photons", [&] { return trace(run, emitted, unit, progress); });
+    const std::uint32_t left = run.pass(bounced ? "bounced photons" : "photons", [&] {
+        return trace(run, bounced, emitted, unit, progress);
+    });
     if (PhotonTracer::overflowed(run.photons)) return false;
     const BatchEnergy after = run.pass("energy", sum);
-    book(run.stats, run.plan, batch.unit, before, after);
-    run.dropped += droppedPower(batch.unit, after);
+    if (bounced || run.plan.bounces == 0) { // else those that follow it book the same light
+        book(run.stats, run.plan, batch.unit, before, after);
+        run.dropped += droppedPower(batch.unit, after);
+    }
     if (run.plan.bends && run.params.tracing.integrator == optics::Integrator::adaptive)
         run.stats.raise("position_error_voxels", after.error);
     if (left > 0) run.stats.count("photons_left_by_thinning", left);
     run.profiler.begin("resolve");
-    run.receivers.resolve(run.device, batch.unit.rgb, batch.unit.power, unit);
+    run.receivers.resolve(run.device, batch.unit, unit, bounced);
     run.profiler.end();
     return true;
 }
 
 /// A batch from its light to the receivers. Where a sum nears the end of its range it is sent again
 /// with a smaller unit.
-void sendBatch(Run& run, const Batch& batch, const Progress& progress) {
+void sendBatch(Run& run, const Batch& batch, bool bounced, const Progress& progress) {
     const double kLeast = 1.0 / 1024; // 2^32 voxel lengths of every photon: beyond any path
     for (double unit = unitFor(static_cast<double>(batch.pixels())); unit >= kLeast; unit /= 16) {
-        if (send(run, batch, unit, progress)) return report(progress, 1.0);
+        if (send(run, batch, bounced, unit, progress)) return report(progress, 1.0);
         run.stats.count("batches_run_again", 1);
         run.receivers.clear();
     }
     throw InternalError("photons overflow a voxel's sum");
 }
 
-/// All photons of a light that these stand for.
-void sendPhotons(Run& run, const std::vector<Source>& sources, const Progress& progress) {
-    const std::vector<Batch> batches = run.emission->batchesOf(sources, run.params);
+/// All photons of a light that these stand for. Bounced, they leave light only behind the first
+/// opaque surface that they meet.
+void sendPhotons(Run& run, const std::vector<Source>& sources, bool bounced,
+                 const Progress& progress) {
+    const bool byVoxels = bounced || run.plan.receivesInVolume();
+    const std::vector<Batch> batches =
+        run.emission->batchesOf(sources, run.params, byVoxels ? 1 : run.plan.surfaces.detail);
+    PhotonTracer& tracer = bounced ? *run.bouncer : *run.tracer;
     const auto all = static_cast<double>(batches.size());
     for (size_t b = 0; b < batches.size(); ++b) {
         const glm::dvec3& rgb = batches[b].unit.rgb;
-        run.tracer->begin(rgb / (rgb.x + rgb.y + rgb.z), ++run.batches);
+        tracer.begin(rgb / (rgb.x + rgb.y + rgb.z), ++run.batches);
         const auto begun = static_cast<double>(b);
-        sendBatch(run, batches[b], partOf(progress, begun / all, (begun + 1) / all));
+        sendBatch(run, batches[b], bounced, partOf(progress, begun / all, (begun + 1) / all));
     }
 }
 
@@ -178,7 +190,7 @@ void sendBeams(Run& run, const Window& window, const Beams::Batch& batch, const 
                 surfaces.collect(run.device, of.rgb, of.power, unit);
                 return 0;
             });
-            if (!run.plan.photons) run.dropped += book(run.stats, run.plan, of, energy);
+            if (!run.plan.sendsPhotons()) run.dropped += book(run.stats, run.plan, of, energy);
             return;
         }
         run.stats.count("batches_run_again", 1);
@@ -227,10 +239,16 @@ void sendLight(Run& run, const Light& light, const Progress& progress) {
         return sourcesOf(light, samplesFor(run.plan, run.params, light, method), keep,
                          run.plan.scene.voxelFromWorld());
     };
-    const double split = run.plan.photons && run.plan.beams ? 0.5 : run.plan.beams ? 1.0 : 0.0;
-    if (run.plan.beams && run.receivers.surfaces().count() > 0)
-        sendBeams(run, sources(Method::beams), partOf(progress, 0, split));
-    if (run.plan.photons) sendPhotons(run, sources(Method::photons), partOf(progress, split, 1));
+    const bool beams = run.plan.beams && run.receivers.surfaces().count() > 0;
+    const int passes = beams + run.plan.photons + (run.plan.bounces > 0);
+    int done = 0;
+    const auto next = [&] {
+        const double begun = done++;
+        return partOf(progress, begun / passes, (begun + 1) / passes);
+    };
+    if (beams) sendBeams(run, sources(Method::beams), next());
+    if (run.plan.photons) sendPhotons(run, sources(Method::photons), false, next());
+    if (run.plan.bounces > 0) sendPhotons(run, sources(Method::photons), true, next());
 }
 
 } // namespace

@@ -54,9 +54,16 @@ gpu::Texture makeOpaque(gpu::Device& device, const Plan& plan) {
 
 gpu::Texture makeOpacity(gpu::Device& device, const Plan& plan) {
     const scene::Values& opacity = plan.scene.medium().opacity;
-    return scene::makeVoxelTexture(
-        device, plan.scene.layout, gpu::TexelFormat::r32f, true,
-        [&](const glm::ivec3& i, float* out) { out[0] = opacity.at(i, 0); });
+    if (plan.bounces == 0)
+        return scene::makeVoxelTexture(
+            device, plan.scene.layout, gpu::TexelFormat::r32f, true,
+            [&](const glm::ivec3& i, float* out) { out[0] = opacity.at(i, 0); });
+    const scene::Values& albedo = plan.scene.medium().albedo;
+    return scene::makeVoxelTexture(device, plan.scene.layout, gpu::TexelFormat::rgba32f, true,
+                                   [&](const glm::ivec3& i, float* out) {
+                                       out[0] = opacity.at(i, 0);
+                                       for (int c = 0; c < 3; ++c) out[1 + c] = albedo.at(i, c);
+                                   });
 }
 
 } // namespace
@@ -65,7 +72,7 @@ Media::Media(gpu::Device& device, const Plan& plan) {
     if (plan.scene.sharp) return;
     if (plan.attenuates) absorption = makeAbsorption(device, plan);
     if (plan.attenuates && plan.colour) scattering = makeScattering(device, plan);
-    if (plan.opaque && plan.photons) opaque = makeOpaque(device, plan);
+    if (plan.opaque && plan.sendsPhotons()) opaque = makeOpaque(device, plan);
     if (!plan.surfaces.empty()) opacity = makeOpacity(device, plan);
 }
 

@@ -12,7 +12,8 @@ struct Media {
     gpu::Texture absorption; ///< σ_a [1/voxel]; of a grey medium (σ_a, σ_s)
     gpu::Texture scattering; ///< σ_s of a coloured medium [1/voxel]
     gpu::Texture opaque;     ///< 1 where opacity exceeds ½, else 0
-    gpu::Texture opacity;    ///< itself, where surfaces receive light
+    gpu::Texture opacity;    ///< itself, where surfaces receive light; where they bounce it, then
+                             ///< their albedo
 
     Media(gpu::Device& device, const Plan& plan);
     void bind() const;

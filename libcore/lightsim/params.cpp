@@ -55,6 +55,7 @@ void Params::check() const {
             surfaceDetail, "auto or 1 to " + std::to_string(scene::kMostDetail));
     require(beamError > 0 && beamError <= 100, "--beam-error", beamError, "above 0 to 100");
     require(shadowCull > 0 && shadowCull <= 1, "--shadow-cull", shadowCull, "above 0 to 1");
+    require(bounces >= 0 && bounces <= 64, "--bounces", bounces, "0 to 64");
     require(maxDepth >= 0 && maxDepth <= 4096, "--max-depth", maxDepth, "0 to 4096");
     require(dropBelow >= 0 && dropBelow < 1, "--drop-below", dropBelow, "0 to below 1");
     require(thinTo >= 0 && thinTo < 1, "--thin-to", thinTo, "0 to below 1");

@@ -15,15 +15,17 @@ namespace {
 // their neighbours for long.
 constexpr unsigned kStepsPerRun = 48;
 
-gpu::Switches switchesOf(const Plan& plan, const Params& params) {
+gpu::Switches switchesOf(const Plan& plan, const Params& params, bool bounced) {
     gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
     switches.emplace_back("DIRECTION", plan.wants(Output::direction));
     switches.emplace_back("VOLUME", plan.receivesInVolume());
     switches.emplace_back("SPARSE", plan.receivesInVolume() && atlasOf(plan).sparse);
-    switches.emplace_back("SURFACES", !plan.surfaces.empty() && !plan.beams);
-    switches.emplace_back("SURFACE_FLOW", plan.sumsFlow() && !plan.beams);
+    const bool onSurfaces = !plan.surfaces.empty() && (bounced || !plan.beams);
+    switches.emplace_back("SURFACES", onSurfaces);
+    switches.emplace_back("SURFACE_FLOW", plan.sumsFlow() && onSurfaces);
+    switches.emplace_back("BOUNCES", bounced);
     return switches;
 }
 
@@ -54,8 +56,9 @@ void Photons::bind() const {
     if (objects.bytes() > 0) objects.bindStorage(kObjectsBuffer);
 }
 
-PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params)
-    : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params)),
+PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params,
+                           bool bounced)
+    : mProgram(device, "lightsim/trace.comp.glsl", switchesOf(plan, params, bounced)),
       mBlock(device, sizeof(PhotonParams)) {
     mParams.size = ivec4(plan.scene.size(), 0);
     if (plan.receivesInVolume()) {
@@ -66,7 +69,7 @@ PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& 
             ivec4(bricks.x, bricks.x * bricks.y, atlas.apart(plan.planes()), atlas.planesApart());
     }
     mParams.list = uvec4(0, kStepsPerRun, params.maxSteps, 0);
-    mParams.depth = uvec4(params.maxDepth, params.seed << 16u, 0, 0);
+    mParams.depth = uvec4(params.maxDepth, params.seed << 16u, plan.bounces, 0);
     mParams.limits = vec4(params.stepMin, params.dropBelow, 0, 0);
 }
 

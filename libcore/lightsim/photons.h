@@ -34,7 +34,8 @@ struct Photons {
 /// Traces photons by runs of steps, thinning the list in between.
 class PhotonTracer {
 public:
-    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params);
+    /// One of light that surfaces have reflected leaves nothing before that.
+    PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params, bool bounced);
 
     /// What tells a batch's photons from those of others, beside their pixels.
     void begin(const glm::dvec3& colour, unsigned batch);

@@ -101,6 +101,11 @@ void listEffects(Plan& plan, const Params& params) {
          plan.photons ? "fluence is made of them" : "no volume receives light"});
     add({"beams", plan.beams,
          plan.beams ? "irradiance is made of them" : "no surface receives light"});
+    add({"bounces", plan.bounces > 0,
+         plan.bounces > 0        ? "--bounces " + std::to_string(plan.bounces) + ", by photons"
+         : params.bounces == 0   ? "--bounces 0"
+         : plan.surfaces.empty() ? "no surface receives light"
+                                 : "no opaque surface has an albedo"});
     add(nothing(named("refraction")));
     if (sharp) add(nothing(named("curved_rays")));
     add(named("absorption"));
@@ -123,6 +128,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     scene::Wanted wanted;
     wanted.boundary = params.tracing.boundary;
     wanted.onlyIfLightShows = params.automaticOutputs;
+    wanted.surfaces = params.bounces > 0;
     plan.scene = scene::read(scene::Files(volume), wanted);
     const scene::Scene& scene = plan.scene;
     plan.outputs = params.automaticOutputs ? neededOutputs(scene) : params.outputs;
@@ -150,9 +156,11 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.beams = params.method != Method::photons && !plan.surfaces.empty();
     plan.photons =
         plan.receivesInVolume() || (params.method == Method::photons && !plan.surfaces.empty());
+    if (!plan.surfaces.empty() && scene.anyHas(&Region::albedo)) plan.bounces = params.bounces;
+    plan.colour |= plan.bounces > 0 && scene.anyColoured({&Region::albedo});
     // Parts of an environment differ in colour, and their photons share batches.
     for (const Light& light : params.lights)
-        plan.colouredSources |= plan.photons && light.map && !isGrey(*light.map);
+        plan.colouredSources |= plan.sendsPhotons() && light.map && !isGrey(*light.map);
     plan.colour |= plan.colouredSources;
     listEffects(plan, params);
     if (!volume.holdsScene()) plan.warnings = scene::idleWarnings(scene::Files(volume), {});
@@ -192,7 +200,11 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (plan.attenuates && !plan.scene.sharp)
         needs.push_back(
             scene::voxelNeed(plan.scene.layout, "the coefficients", plan.colour ? 32 : 8));
-    if (!plan.photons) return needs;
+    if (plan.bounces > 0) {
+        const auto voxelsOfSurface = static_cast<std::int64_t>(plan.surfaces.voxels.size());
+        needs.push_back({"what bounces to surfaces", 60 * voxelsOfSurface, true, 0});
+    }
+    if (!plan.sendsPhotons()) return needs;
     const std::int64_t pixels =
         params.photons > 0 ? std::min<std::int64_t>(params.photons, kBatchPixels) : kBatchPixels;
     const std::int64_t photon =

@@ -34,6 +34,7 @@ struct Plan {
     std::vector<PointOnSurface> points; ///< that are asked for their light, in voxel space
     bool photons = false;               ///< photons are sent
     bool beams = false;                 ///< beams are
+    int bounces = 0;                    ///< times that surfaces send light on, by photons
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
@@ -46,6 +47,7 @@ struct Plan {
     int tracedChannels() const { return colour ? 3 : 1; }
     int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }
     int directionChannels() const { return wants(Output::direction) ? 3 : 0; }
+    bool sendsPhotons() const { return photons || bounces > 0; }
     bool sumsFlow() const { return !points.empty(); } ///< on surfaces
     /// Fixed-point sums, one a traced channel and component of the direction.
     int planes() const { return tracedChannels() + directionChannels(); }

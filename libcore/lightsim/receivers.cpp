@@ -2,32 +2,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/receivers.h"
 
+#include <tbb/parallel_for.h>
+
 namespace eikonal::lightsim {
+
+namespace {
+
+using glm::vec3;
+
+/// What bounces falls on fine voxels, too.
+void addSoft(volume::FineGrid& irradiance, const std::vector<vec3>& normals,
+             const SoftLight& soft) {
+    tbb::parallel_for(size_t{0}, irradiance.voxels.size(), [&](size_t i) {
+        const vec3 x =
+            (vec3(irradiance.voxels[i]) + 0.5F) / static_cast<float>(irradiance.detail) - 0.5F;
+        irradiance.values[i] += soft.at(x, normals[i]).irradiance;
+    });
+}
+
+} // namespace
 
 Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params,
                      const scene::Transport& transport, const Media& media, gpu::Profiler& profiler)
     : mPhotonsLand(!plan.beams) {
-    if (plan.photons && plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
-    if (!plan.surfaces.empty()) mSurfaces.emplace(device, plan, transport, media, profiler);
+    if (plan.sendsPhotons() && plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
+    if (!plan.surfaces.empty())
+        mSurfaces.emplace(device, plan, plan.surfaces, transport, media, profiler);
+    if (plan.bounces > 0)
+        mBounced.emplace(device, plan, OpaqueSurfaces{plan.surfaces.voxels, 1}, transport, media,
+                         profiler);
 }
 
-void Receivers::bind() const {
+void Receivers::bind(bool bounced) const {
     if (mVoxels) mVoxels->bind();
-    if (mSurfaces) mSurfaces->bind();
+    if (bounced)
+        mBounced->bind();
+    else if (mSurfaces)
+        mSurfaces->bind();
 }
 
 void Receivers::clear() {
     if (mVoxels) mVoxels->clearPlanes();
     if (mSurfaces) mSurfaces->clearSums();
+    if (mBounced) mBounced->clearSums();
 }
 
-void Receivers::resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit) {
-    if (mVoxels) mVoxels->resolve(device, rgb, power, unit);
-    if (mSurfaces && mPhotonsLand) mSurfaces->collect(device, rgb, power, unit);
+void Receivers::resolve(gpu::Device& device, const Unit& of, double unit, bool bounced) {
+    if (mVoxels) mVoxels->resolve(device, of.rgb, of.power, unit);
+    if (bounced)
+        mBounced->collect(device, of.rgb, of.power, unit);
+    else if (mSurfaces && mPhotonsLand)
+        mSurfaces->collect(device, of.rgb, of.power, unit);
 }
 
 void Receivers::readPoints(gpu::Device& device, const Plan& plan) {
-    mPoints.push_back(mSurfaces->readPoints(device, plan.points, plan.scene.worldFromVoxelTurn()));
+    std::vector<LightAtPoint> lights =
+        mSurfaces->readPoints(device, plan.points, plan.scene.worldFromVoxelTurn());
+    if (mBounced) {
+        const SoftLight soft(plan.scene.size(), mBounced->takePatches());
+        const glm::mat3 turn(plan.scene.worldFromVoxelTurn());
+        for (size_t i = 0; i < lights.size(); ++i) {
+            if (plan.points[i].normal == vec3(0)) continue;
+            const LightAtPoint more = soft.at(plan.points[i].place, plan.points[i].normal);
+            lights[i].irradiance += more.irradiance;
+            lights[i].flow += turn * more.flow;
+        }
+    }
+    mPoints.push_back(std::move(lights));
 }
 
 Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& params,
@@ -41,7 +82,12 @@ Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& pa
     profiler.begin("download");
     Result result;
     if (mVoxels) result = mVoxels->download(plan);
-    if (mSurfaces && plan.points.empty()) result.irradiance = mSurfaces->finish(device);
+    if (mSurfaces && plan.points.empty()) {
+        result.irradiance = mSurfaces->finish(device);
+        if (mBounced)
+            addSoft(result.irradiance, mSurfaces->normals(),
+                    SoftLight(plan.scene.size(), mBounced->takePatches()));
+    }
     if (mSurfaces && !plan.points.empty() && !params.lightsApart) readPoints(device, plan);
     result.points = std::move(mPoints);
     profiler.end();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/stats.h"
+#include "lightsim/sources.h"
 #include "lightsim/surfaces.h"
 #include "lightsim/voxels.h"
 
@@ -15,13 +16,13 @@ public:
     Receivers(gpu::Device& device, const Plan& plan, const Params& params,
               const scene::Transport& transport, const Media& media, gpu::Profiler& profiler);
 
-    /// Before photons are traced.
-    void bind() const;
+    /// Before photons are traced; bounced ones land on surfaces of their own.
+    void bind(bool bounced) const;
     /// Forgets what the last batch left.
     void clear();
-    /// Takes up what a batch left. `rgb` is the light's, a photon of weight 1 has `power` of it [m²
-    /// or sr], `unit` of fixed point stands for a voxel's length at weight 1.
-    void resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
+    /// Takes up what a batch left. A photon of weight 1 has that power, `unit` of fixed point
+    /// stands for a voxel's length at weight 1.
+    void resolve(gpu::Device& device, const Unit& of, double unit, bool bounced);
     SurfaceReceiver& surfaces() { return *mSurfaces; }
     /// The light of points since they were read last.
     void readPoints(gpu::Device& device, const Plan& plan);
@@ -31,6 +32,7 @@ public:
 private:
     std::optional<VoxelReceiver> mVoxels;
     std::optional<SurfaceReceiver> mSurfaces;
+    std::optional<SurfaceReceiver> mBounced; ///< voxels of the domain that receive what bounces
     std::vector<std::vector<LightAtPoint>> mPoints;
     bool mPhotonsLand; ///< on surfaces; else beams do
 };

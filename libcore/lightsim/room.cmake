@@ -1,4 +1,4 @@
-eikonal_room(lightsim SOURCES beams.cpp emission.cpp energy.cpp environment.cpp lights.cpp lightsim.cpp media.cpp octree.cpp opaque_surfaces.cpp
+eikonal_room(lightsim SOURCES beams.cpp bounces.cpp emission.cpp energy.cpp environment.cpp lights.cpp lightsim.cpp media.cpp octree.cpp opaque_surfaces.cpp
                               params.cpp
                               photon_map.cpp photons.cpp plan.cpp points.cpp receivers.cpp receiving.cpp result.cpp sources.cpp
                               surfaces.cpp voxels.cpp

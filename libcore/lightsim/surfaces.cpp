@@ -7,6 +7,8 @@
 #include "scene/lattice.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/packing.hpp>
 
 namespace eikonal::lightsim {
 
@@ -45,8 +47,8 @@ std::vector<std::uint32_t> receivingBits(const scene::SurfaceVoxels& list) {
 } // namespace
 
 SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
-                                 const scene::Transport& transport, const Media& media,
-                                 gpu::Profiler& profiler)
+                                 const OpaqueSurfaces& surfaces, const scene::Transport& transport,
+                                 const Media& media, gpu::Profiler& profiler)
     : mCollect(device, "lightsim/collect.comp.glsl",
                {{"CHANNELS", plan.tracedChannels()},
                 {"FLUENCE", plan.fluenceChannels()},
@@ -56,7 +58,6 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
       mBlock(device, sizeof(LayoutParams)), mChannels(plan.tracedChannels()),
       mStored(plan.fluenceChannels()), mFlow(plan.sumsFlow()), mVoxelSize(plan.scene.voxelSize()) {
     if (mFlow) mReader.emplace(device, mStored);
-    const OpaqueSurfaces& surfaces = plan.surfaces;
     const int detail = surfaces.detail, words = scene::maskWords(detail);
     transport.bind();
     media.bind();
@@ -175,6 +176,36 @@ volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
                        static_cast<size_t>(std::min(c, mStored - 1)) * found.voxels.size()];
     });
     return found;
+}
+
+std::vector<glm::vec3> SurfaceReceiver::normals() const {
+    std::vector<glm::uvec2> areas(static_cast<size_t>(mVoxels.count));
+    mAreas.download(areas.data(), mVoxels.count * 8);
+    std::vector<glm::vec3> normals;
+    normals.reserve(areas.size());
+    for (const glm::uvec2& area : areas) normals.emplace_back(glm::unpackSnorm4x8(area.y));
+    return normals;
+}
+
+std::vector<SurfacePatch> SurfaceReceiver::takePatches() {
+    const auto count = static_cast<size_t>(mVoxels.count);
+    std::vector<glm::uvec2> areas(count);
+    mAreas.download(areas.data(), mVoxels.count * 8);
+    const ivec3 rows = mPower.size();
+    std::vector<float> stored(static_cast<size_t>(rows.x) * rows.y * rows.z);
+    mPower.download(stored.data(), mPower.bytes());
+    mPower.clear();
+    std::vector<SurfacePatch> patches(count);
+    mVoxels.forEach([&](std::uint32_t i, const ivec3& fine) {
+        const auto plane = [&](int k) { return stored[i + static_cast<size_t>(k) * count]; };
+        SurfacePatch& patch = patches[i];
+        patch.voxel = fine;
+        for (int c = 0; c < 3; ++c) patch.power[c] = plane(std::min(c, mStored - 1));
+        for (int c = 0; c < 3 && mFlow; ++c) patch.flow[c] = plane(mStored + c);
+        patch.normal = glm::vec3(glm::unpackSnorm4x8(areas[i].y));
+        patch.area = glm::uintBitsToFloat(areas[i].x) * static_cast<float>(mVoxelSize * mVoxelSize);
+    });
+    return patches;
 }
 
 std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {

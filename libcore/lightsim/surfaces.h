@@ -4,6 +4,7 @@
 
 #include "gpu/program.h"
 #include "gpu/resources.h"
+#include "lightsim/bounces.h"
 #include "lightsim/media.h"
 #include "lightsim/plan.h"
 #include "lightsim/points.h"
@@ -21,8 +22,8 @@ class SurfaceReceiver {
 public:
     SurfaceReceiver() = default;
     /// Finds the surface voxels and how much of a surface each has.
-    SurfaceReceiver(gpu::Device& device, const Plan& plan, const scene::Transport& transport,
-                    const Media& media, gpu::Profiler& profiler);
+    SurfaceReceiver(gpu::Device& device, const Plan& plan, const OpaqueSurfaces& surfaces,
+                    const scene::Transport& transport, const Media& media, gpu::Profiler& profiler);
 
     /// What power is added to, and the table of surface voxels.
     void bind() const;
@@ -38,6 +39,11 @@ public:
     std::vector<LightAtPoint> readPoints(gpu::Device& device,
                                          const std::vector<PointOnSurface>& points,
                                          const glm::dmat3& turn);
+
+    /// What each surface voxel has, numbered as finish() does; what comes after is summed anew.
+    std::vector<SurfacePatch> takePatches();
+    /// Of each, in voxel space.
+    std::vector<glm::vec3> normals() const;
 
     std::int64_t count() const { return mVoxels.count; }
     int detail() const { return mVoxels.detail; }

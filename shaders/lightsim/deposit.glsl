@@ -31,7 +31,21 @@ struct Load {
     float chance;   // decides which way it goes at an interface, in (0, 1)
     float worth;    // what share of that number's digits is left
     uint id;        // its pixel of the photon map
+#if BOUNCES == 1
+    int bounces;
+    vec3 outward;   // normal of the surface it has landed on; 0: of none
+    vec3 albedo;    // of that
+#endif
 };
+
+// Whether it leaves light where it goes: what comes straight from a light is another pass's.
+bool isCounted(Load load) {
+#if BOUNCES == 1
+    return load.bounces > 0;
+#else
+    return true;
+#endif
+}
 
 // Adds to the plane `plane` of a voxel.
 uint add(ivec3 texel, int plane, float amount) {
@@ -88,10 +102,10 @@ float deposit(inout Path path, inout Load load, vec3 x, vec3 along, vec3 sigmaA,
             spent.x += share.x;
         }
         ivec3 texel = voxel;
-        bool receives = kVolume;
+        bool receives = kVolume && isCounted(load);
         if (kVolume && kSparse) {
             uint brick = brickOf(voxel, params.bricks.xy);
-            receives = brick != kNoBrick;
+            receives = receives && brick != kNoBrick;
             texel = texelOf(brick, voxel, params.bricks.z);
         }
         if (receives) {

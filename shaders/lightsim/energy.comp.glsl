@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/bindings.h"
 #include "shared/lightsim_params.h"
+#include "shared/limits.h"
 #include "transport/params.glsl"
 #include "transport/status.glsl"
 
@@ -20,14 +21,15 @@ void main() {
         int status = int(photon.count.x);
         if (status == kNone) continue;
         vec4 weight = vec4(photon.weight.xyz, 0.0);
+        uint steps = photon.count.y & kStepBits;
         sum.remaining = vec4(sum.remaining.xyz + weight.xyz,
-                             max(sum.remaining.w, errorOf(photon.wave.w, int(photon.count.y))));
+                             max(sum.remaining.w, errorOf(photon.wave.w, int(steps))));
         sum.absorbed += vec4(photon.absorbed.xyz, 0.0);
         sum.scattered += vec4(photon.scattered.xyz, 0.0);
         if (status == kLeft) sum.escaped += weight;
         float mean = dot(weight.xyz, vec3(1.0 / 3.0));
         sum.dropped += mean * vec4(equal(ivec4(status), ivec4(kDeep, kTrapped, kAlive, kFaded)));
-        sum.count += uvec4(1u, photon.count.y, photon.count.z, status == kTrapped ? 1u : 0u);
+        sum.count += uvec4(1u, steps, photon.count.z, status == kTrapped ? 1u : 0u);
     }
     energy[item] = sum;
 }

@@ -11,8 +11,8 @@
 #include "transport/path.glsl"
 
 #if !defined(CHANNELS) || !defined(MEDIUM) || !defined(DIRECTION) || !defined(VOLUME) || !defined(SURFACES) || \
-    !defined(SURFACE_FLOW)
-#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION, VOLUME, SURFACES, SURFACE_FLOW 0 or 1
+    !defined(SURFACE_FLOW) || !defined(BOUNCES)
+#error CHANNELS must be 1 or 3, MEDIUM 0 to 2, DIRECTION, VOLUME, SURFACES, SURFACE_FLOW, BOUNCES 0 or 1
 #endif
 const bool kVolume = VOLUME == 1; // voxels receive light
 const bool kMedium = MEDIUM > 0;    // something absorbs or scatters
@@ -31,6 +31,9 @@ layout(std430, binding = kNextListBuffer) writeonly buffer NextList { uint nextL
 #include "lightsim/deposit.glsl"
 #include "lightsim/step_limit.glsl"
 #include "lightsim/chance.glsl"
+#if BOUNCES == 1
+#include "lib/lambert.glsl"
+#endif
 #if SURFACES == 1
 #include "lightsim/surface_deposit.glsl"
 #include "transport/opaque_voxels.glsl"
@@ -42,6 +45,7 @@ float opacityAt(vec3 x) {
 
 // A photon's light where it lands, `normal` on either side.
 void land(Path path, inout Load load, vec3 x, vec3 normal) {
+    if (!isCounted(load)) return;
     ivec3 along = axisVector(axisOf(normal));
     Light light = lightOf(params.limits.z * path.throughput, normalize(path.ray.w), params.colour.xyz);
     uint fullest = putOnSurface(fineVoxelAt(x), along, light, load.phase);
@@ -49,10 +53,16 @@ void land(Path path, inout Load load, vec3 x, vec3 normal) {
 }
 
 // Opaque voxels stop photons on their faces; the surface is close by.
-void landOnVoxels(Path path, inout Load load) {
+void landOnVoxels(inout Path path, inout Load load) {
     vec3 direction = normalize(path.ray.w);
     vec3 x = opaqueBetween(path.ray.x - 1.5 * direction, path.ray.x + direction);
-    land(path, load, x, opaqueNormalAt(x));
+    vec3 normal = opaqueNormalAt(x);
+    land(path, load, x, normal);
+#if BOUNCES == 1
+    path.ray.x = x;
+    load.outward = normal;
+    load.albedo = textureLod(opacityField, coordinate(x - 0.5 * normal), 0.0).yzw;
+#endif
 }
 #endif
 
@@ -93,6 +103,10 @@ void onSurface(inout Path path, inout Load load, Interface at) {
 #if SURFACES == 1
     land(path, load, at.x, at.normal);
 #endif
+#if BOUNCES == 1
+    load.outward = -at.normal;
+    load.albedo = scene.regions[at.there].albedo.xyz;
+#endif
 }
 
 void onInterface(inout Path path, inout Load load, Interface at) {
@@ -120,9 +134,13 @@ bool onEnd(inout Path path, inout Load load) {
     return false;
 }
 
+#if BOUNCES == 1
+#include "lightsim/bounce.glsl"
+#endif
+
 Path pathOf(Photon photon, uint id) {
-    Path path = pathFrom(photon.place.xyz, photon.wave.xyz,
-                         int(min(photon.count.y + params.list.y, params.list.z)));
+    uint steps = BOUNCES == 1 ? photon.count.y & kStepBits : photon.count.y;
+    Path path = pathFrom(photon.place.xyz, photon.wave.xyz, int(min(steps + params.list.y, params.list.z)));
     path.throughput = photon.weight.xyz;
     if (kObjects > 0) {
         path.objects = ObjectSet(photon.count.w & 0xFFFFu);
@@ -130,7 +148,7 @@ Path pathOf(Photon photon, uint id) {
         path.depth = int(photon.count.w >> 16u);
         path.departs = photon.place.w;
     }
-    path.steps = int(photon.count.y);
+    path.steps = int(steps);
     path.error = photon.wave.w;
     // Cut open by the domain's face.
     if (isOpaque(regionOf(path.objects))) path.status = kStopped;
@@ -145,7 +163,11 @@ void keep(Path path, Load load) {
     photon.weight = vec4(path.throughput, load.phase);
     photon.absorbed = vec4(load.absorbed, load.chance);
     photon.scattered = vec4(load.scattered, load.worth);
-    photon.count = uvec4(path.status, path.steps, load.deposits,
+    uint steps = uint(path.steps);
+#if BOUNCES == 1
+    steps |= uint(load.bounces) << kBounceShift;
+#endif
+    photon.count = uvec4(path.status, steps, load.deposits,
                          firstBits(path.objects) | uint(path.depth) << 16u);
     photons[load.id] = photon;
     if (kMany) inObjects[load.id] = path.objects;
@@ -159,7 +181,11 @@ void main() {
     Photon photon = photons[id];
     Path path = pathOf(photon, id);
     Load load = Load(photon.absorbed.xyz, photon.scattered.xyz, photon.weight.w, photon.count.z, 0u,
-                     photon.absorbed.w, photon.scattered.w, id);
+                     photon.absorbed.w, photon.scattered.w, id
+#if BOUNCES == 1
+                     , int(photon.count.y >> kBounceShift), vec3(0.0), vec3(0.0)
+#endif
+    );
 #if SURFACES == 1
     if (path.status == kStopped) land(path, load, path.ray.x, faceNormal(path.ray.x));
     bool begun = path.status == kAlive;
@@ -169,6 +195,9 @@ void main() {
     if (kOpaqueVoxels && begun && path.status == kStopped) landOnVoxels(path, load);
 #endif
     if (path.status == kAlive && path.steps >= int(params.list.z)) path.status = kTrapped;
+#if BOUNCES == 1
+    if (path.status == kStopped) bounce(path, load);
+#endif
     if ((kOpaqueVoxels || kOpaqueObjects) && path.status == kStopped) {
         load.absorbed += path.throughput; // opaque material takes what arrives
         path.throughput = vec3(0.0);

@@ -26,7 +26,8 @@ struct PhotonParams {
                   // those along z are in the atlas; w: how many texels apart its planes are
     uvec4 list;   // x: photons in the list, y: steps of this launch, or work items of
                   // energy.comp, z: step limit of a photon, w: photons in the map
-    uvec4 depth;  // x: most interfaces that a photon meets, y: differs by seed and batch
+    uvec4 depth;  // x: most interfaces that a photon meets, y: differs by seed and batch, z: most
+                  // times that surfaces send it on
     vec4 limits;  // x: shortest step [voxel], y: a photon dimmer than this is dropped,
                   // z: fixed-point unit of one voxel's length at weight 1
     vec4 colour;  // xyz: the light's RGB over their sum, the weights of its direction
@@ -48,7 +49,7 @@ struct Photon {
     vec4 weight;    // what is left of its power, rgb or the first alone; w: the rounding phase
     vec4 absorbed;  // weight absorbed so far; w: decides which way it goes, in (0, 1)
     vec4 scattered; // weight scattered so far; w: what share of that number's digits is left
-    uvec4 count;    // x: its status (kNone...), y: steps, z: deposits, w: of few objects those it
+    uvec4 count;    // x: its status (kNone...), y: steps, and from bit 24 on bounces, z: deposits, w: of few objects those it
                     // is in, a bit each, and from bit 16 on the interfaces it has met
 };
 

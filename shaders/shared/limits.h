@@ -8,6 +8,9 @@ const float kNearby = 3.5;            // how near a boundary is noted in the tab
 const float kExactClearance = 4.0;    // beyond, clearances are bounds alone [voxel]
 const uint kNearFull = 0xE0000000u; // a fixed-point sum above this may overflow next
 
+const uint kStepBits = 0xFFFFFFu; // of a photon's count of steps; above them are its bounces
+const int kBounceShift = 24;
+
 // The table of surface voxels has it where an entry is free.
 const uint kNoVoxel = 0xFFFFFFFFu;
 

@@ -98,6 +98,10 @@ void addOptions(tool::Session& session, Options& o) {
                    "receives, being in shadow, is not split; 1: what is wholly so")
         ->type_name("SHARE")
         ->capture_default_str();
+    app.add_option("--bounces", p.bounces,
+                   "times that opaque surfaces send on what falls on them, by their albedo")
+        ->type_name("N")
+        ->capture_default_str();
     app.add_option("--octree-tolerance", p.octreeTolerance,
                    "index range within which a leaf of the octree is constant")
         ->type_name("E")
