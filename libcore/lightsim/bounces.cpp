@@ -17,20 +17,14 @@ namespace {
 using glm::ivec3;
 using glm::vec3;
 
-// How far patches share their light at most [voxel].
-constexpr int kReach = 2;
-// Photons that a patch wants, its neighbours' included: a noise of 5 %, which interpolation halves.
+// Rounds in which patches share their light with those next to them: k of them spread it as far as
+// a Gauss curve of variance k/2 does [voxel²], over about 1 + 2πk patches.
+constexpr int kMostRounds = 8;
+// Photons that a patch wants, shares of others included: a noise of 5 %, which interpolation
+// halves.
 constexpr double kEnough = 400;
-// The cosine between normals of one patch, and of one surface.
-constexpr float kSamePatch = 0.8F;
-constexpr float kSameSide = 0.7F;
-
-/// Calls `visit(offset)` for every voxel of a cube about one.
-template<typename Visit> void forEachNear(int reach, const Visit& visit) {
-    for (int z = -reach; z <= reach; ++z)
-        for (int y = -reach; y <= reach; ++y)
-            for (int x = -reach; x <= reach; ++x) visit(ivec3(x, y, z));
-}
+// The least cosine between normals of one surface.
+constexpr float kSameSide = 0.8F;
 
 void add(SurfacePatch& sum, const SurfacePatch& patch, float weight) {
     sum.power += weight * patch.power;
@@ -38,7 +32,7 @@ void add(SurfacePatch& sum, const SurfacePatch& patch, float weight) {
     sum.area += weight * patch.area;
 }
 
-/// What falls to 0 that far off along any axis.
+/// Falls to 0 that far off along any axis.
 float tentOf(const vec3& off, float reach) {
     const vec3 tent = glm::max(reach - glm::abs(off), 0.0F);
     return tent.x * tent.y * tent.z;
@@ -48,79 +42,130 @@ std::uint32_t placeIn(const ivec3& size, const ivec3& voxel) {
     return static_cast<std::uint32_t>(scene::placeOf(size, voxel.x, voxel.y, voxel.z));
 }
 
+/// Of what one patch draws from another that is next to it: 1 in all over voxels of a plane along
+/// the axes.
+float shareOf(const SurfacePatch& patch, const SurfacePatch& other) {
+    return tentOf(vec3(other.voxel - patch.voxel), 2) / 32;
+}
+
+constexpr std::uint32_t kNoPatch = 0xFFFFFFFFU;
+
+/// Rounds after which a patch that then has so much has enough photons.
+double roundsFor(const SurfacePatch& patch, double photon) {
+    const double power = (patch.power.x + patch.power.y + patch.power.z) / 3;
+    if (!(power > 0)) return kMostRounds;
+    const double patches = kEnough * photon * static_cast<double>(patch.area) / power;
+    return std::clamp((patches - 1) / (2 * 3.14159265358979), 0.0, double{kMostRounds});
+}
+
 } // namespace
 
-void gather(std::vector<SurfacePatch>& patches, const SurfacePatch& part) {
-    for (auto patch = patches.rbegin(); patch != patches.rend() && patch->voxel == part.voxel;
-         ++patch) {
-        if (glm::dot(patch->normal, part.normal) < kSamePatch) continue;
-        return add(*patch, part, 1);
+bool areOne(const vec3& normal, const vec3& other) {
+    return glm::dot(normal, other) >= kSameSide;
+}
+
+void gather(SurfacePatches& patches, const SurfacePatch& part) {
+    size_t i = patches.all.size();
+    while (i > 0 && patches.all[i - 1].voxel == part.voxel &&
+           !areOne(patches.all[i - 1].normal, part.normal))
+        --i;
+    if (i > 0 && patches.all[i - 1].voxel == part.voxel) {
+        add(patches.all[--i], part, 1);
+    } else {
+        i = patches.all.size();
+        patches.all.push_back(part);
     }
-    patches.push_back(part);
+    patches.ofFine.push_back(static_cast<std::uint32_t>(i));
 }
 
-SoftLight::SoftLight(const ivec3& size, std::vector<SurfacePatch> patches, double photon)
-    : mSize(size), mPatches(std::move(patches)) {
-    mPlaces.reserve(mPatches.size());
-    for (const SurfacePatch& patch : mPatches) mPlaces.push_back(placeIn(mSize, patch.voxel));
-    std::vector<SurfacePatch> soft(mPatches.size());
-    tbb::parallel_for(size_t{0}, soft.size(),
-                      [&](size_t i) { soft[i] = smoothed(mPatches[i], photon); });
-    mPatches = std::move(soft);
+SoftLight::SoftLight(const ivec3& size, SurfacePatches patches, double photon)
+    : mSize(size), mPatches(std::move(patches)), mFirst(mPatches.all.size() + 1) {
+    for (const auto& link : mPatches.links) ++mFirst[link.first + 1];
+    for (size_t i = 1; i < mFirst.size(); ++i) mFirst[i] += mFirst[i - 1];
+    share(photon);
 }
 
-template<typename Visit> void SoftLight::forEachIn(const ivec3& voxel, const Visit& visit) const {
-    if (voxel != glm::clamp(voxel, ivec3(0), mSize - 1)) return;
-    const std::uint32_t place = placeIn(mSize, voxel);
-    const auto first = std::lower_bound(mPlaces.begin(), mPlaces.end(), place);
-    for (auto at = first; at != mPlaces.end() && *at == place; ++at)
-        visit(mPatches[static_cast<size_t>(at - mPlaces.begin())]);
-}
-
-SurfacePatch SoftLight::smoothed(const SurfacePatch& patch, double photon) const {
-    const auto summed = [&](float reach) {
-        SurfacePatch sum = patch;
-        sum.power = sum.flow = vec3(0);
-        sum.area = 0;
-        const int most = static_cast<int>(std::ceil(reach)) - 1;
-        float row = 0; // so that what is shared out widely counts no more than the rest
-        for (int i = -most; i <= most; ++i) row += reach - static_cast<float>(std::abs(i));
-        forEachNear(most, [&](const ivec3& off) {
-            forEachIn(patch.voxel + off, [&](const SurfacePatch& other) {
-                if (glm::dot(other.normal, patch.normal) < kSameSide) return;
-                add(sum, other, tentOf(vec3(off), reach) / (reach * row * row));
-            });
+void SoftLight::share(double photon) {
+    using Patches = std::vector<SurfacePatch>;
+    const auto shared = [&](const Patches& patches) {
+        Patches sums = patches;
+        tbb::parallel_for(size_t{0}, sums.size(), [&](size_t i) {
+            SurfacePatch& sum = sums[i];
+            sum.power = sum.flow = vec3(0);
+            sum.area = 0;
+            add(sum, patches[i], shareOf(sum, sum));
+            for (size_t k = mFirst[i]; k < mFirst[i + 1]; ++k) {
+                const SurfacePatch& other = patches[mPatches.links[k].second];
+                add(sum, other, shareOf(sum, other));
+            }
         });
-        return sum;
+        return sums;
     };
-    const SurfacePatch wide = summed(kReach + 1);
-    const double power = (wide.power.x + wide.power.y + wide.power.z) / 3;
-    if (!(power > 0)) return wide;
-    // Over a plane a tent has the noise of a square whose edge is 1½ times its reach.
-    const double reach = std::sqrt(kEnough * photon * wide.area / power) / 1.5;
-    if (reach >= kReach + 1) return wide;
-    return summed(static_cast<float>(std::max(reach, 1.0)));
-}
-
-SoftLight::Near SoftLight::near(const ivec3& voxel) const {
-    Near found{voxel, {}};
-    forEachNear(1, [&](const ivec3& off) {
-        forEachIn(voxel + off, [&](const SurfacePatch& patch) { found.patches.push_back(&patch); });
-    });
-    return found;
-}
-
-LightAtPoint SoftLight::at(const Near& near, const vec3& x, const vec3& normal) {
-    // Those of the point's own surface, or where it bends too much, of what faces its way at all.
-    for (const float least : {kSameSide, 0.0F}) {
-        SurfacePatch sum;
-        for (const SurfacePatch* patch : near.patches)
-            // Falls to 0 where it leaves the voxels that are near.
-            if (glm::dot(patch->normal, normal) > least)
-                add(sum, *patch, tentOf(x - vec3(patch->voxel), 1.5F));
-        if (sum.area > 0) return {sum.power / sum.area, sum.flow / sum.area};
+    Patches wide = mPatches.all;
+    for (int round = 0; round < kMostRounds; ++round) wide = shared(wide);
+    Patches level = mPatches.all;
+    for (int round = 0; round <= kMostRounds; ++round) {
+        if (round > 0) level = shared(level);
+        tbb::parallel_for(size_t{0}, level.size(), [&](size_t i) {
+            SurfacePatch& sum = mPatches.all[i];
+            if (round == 0) {
+                sum.power = sum.flow = vec3(0);
+                sum.area = 0;
+            }
+            const double off = std::abs(roundsFor(wide[i], photon) - round);
+            if (off < 1) add(sum, level[i], static_cast<float>(1 - off));
+        });
     }
-    return {};
+}
+
+LightAtPoint SoftLight::about(std::uint32_t patch, const vec3& x) const {
+    // Falls to 0 where it leaves the voxels next to the patch's.
+    SurfacePatch sum;
+    const auto take = [&](const SurfacePatch& one) {
+        add(sum, one, tentOf(x - vec3(one.voxel), 1.5F));
+    };
+    take(mPatches.all[patch]);
+    for (size_t k = mFirst[patch]; k < mFirst[patch + 1]; ++k)
+        take(mPatches.all[mPatches.links[k].second]);
+    if (!(sum.area > 0)) return {};
+    return {sum.power / sum.area, sum.flow / sum.area};
+}
+
+LightAtPoint SoftLight::ofFine(std::uint32_t number, const vec3& x) const {
+    return about(mPatches.ofFine[number], x);
+}
+
+/// That which faces the point's way best, of the voxels next to it.
+std::uint32_t SoftLight::patchNear(const vec3& x, const vec3& normal) const {
+    // As floats: whole numbers may not hold a place far off.
+    const vec3 far = glm::floor(x + 0.5F);
+    if (far != glm::clamp(far, vec3(-1), vec3(mSize))) return kNoPatch;
+    const ivec3 voxel(far);
+    const ivec3 low = glm::max(voxel - 1, ivec3(0)), high = glm::min(voxel + 1, mSize - 1);
+    const auto before = [&](const SurfacePatch& patch, std::uint32_t place) {
+        return placeIn(mSize, patch.voxel) < place;
+    };
+    std::uint32_t best = kNoPatch;
+    float most = 0;
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y) { // those of a row follow one another
+            const std::uint32_t last = placeIn(mSize, {high.x, y, z});
+            auto at = std::lower_bound(mPatches.all.begin(), mPatches.all.end(),
+                                       placeIn(mSize, {low.x, y, z}), before);
+            for (; at != mPatches.all.end() && placeIn(mSize, at->voxel) <= last; ++at) {
+                const float faces =
+                    glm::dot(at->normal, normal) * tentOf(x - vec3(at->voxel), 1.5F);
+                if (faces <= most) continue;
+                most = faces;
+                best = static_cast<std::uint32_t>(at - mPatches.all.begin());
+            }
+        }
+    return best;
+}
+
+LightAtPoint SoftLight::at(const vec3& x, const vec3& normal) const {
+    const std::uint32_t patch = patchNear(x, normal);
+    return patch == kNoPatch ? LightAtPoint{} : about(patch, x);
 }
 
 } // namespace eikonal::lightsim

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 namespace eikonal::lightsim {
@@ -19,38 +20,44 @@ struct SurfacePatch {
     float area = 0; ///< [m²]
 };
 
-/// Adds a part of a surface to the patch of its voxel that faces its way, or as a new one. Parts
-/// come voxel by voxel.
-void gather(std::vector<SurfacePatch>& patches, const SurfacePatch& part);
+/// Patches, and which hang together.
+struct SurfacePatches {
+    std::vector<SurfacePatch> all;     ///< in ascending order of their voxels' places, x fastest
+    std::vector<std::uint32_t> ofFine; ///< the patch of each surface voxel, by its number
+    /// Neighbours on one surface, both ways, ascending: those of one patch after those of another.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
+};
 
-/// The irradiance that patches get, smoothed along surfaces where photons are few. Power and area
-/// are smoothed apart, so that it does not fall off where a surface ends.
+/// Whether surfaces of these normals are one.
+bool areOne(const glm::vec3& normal, const glm::vec3& other);
+
+/// Adds what a surface voxel has to the patch of its voxel that faces its way, or as a new one.
+/// They come voxel by voxel.
+void gather(SurfacePatches& patches, const SurfacePatch& part);
+
+/// The irradiance that patches get, where photons are few shared out along the surface, from voxel
+/// to voxel. Power and area are shared out apart, so that it does not fall off where a surface
+/// ends.
 class SoftLight {
 public:
-    /// Patches about a voxel.
-    struct Near {
-        glm::ivec3 voxel{0};
-        std::vector<const SurfacePatch*> patches;
-        bool empty() const { return patches.empty(); }
-    };
+    /// In a domain of that many voxels. `photon` is what one brings to a voxel's face at most
+    /// [W/m²].
+    SoftLight(const glm::ivec3& size, SurfacePatches patches, double photon);
 
-    /// Of patches in a domain of that many voxels, in ascending order of their places, x fastest.
-    /// `photon` is what one brings to a voxel's face at most [W/m²].
-    SoftLight(const glm::ivec3& size, std::vector<SurfacePatch> patches, double photon);
-
-    Near near(const glm::ivec3& voxel) const;
-    /// At a point [voxel] in the voxel that they are near, of a surface of that normal; flow in
-    /// voxel space. Nothing where no patch is near.
-    static LightAtPoint at(const Near& near, const glm::vec3& x, const glm::vec3& normal);
+    /// At a point [voxel] of a surface voxel.
+    LightAtPoint ofFine(std::uint32_t number, const glm::vec3& x) const;
+    /// At a point [voxel] of a surface of that normal; flow in voxel space. Nothing where no patch
+    /// is near.
+    LightAtPoint at(const glm::vec3& x, const glm::vec3& normal) const;
 
 private:
-    /// Calls `visit(patch)` for every one of a voxel.
-    template<typename Visit> void forEachIn(const glm::ivec3& voxel, const Visit& visit) const;
-    SurfacePatch smoothed(const SurfacePatch& patch, double photon) const;
+    void share(double photon);
+    LightAtPoint about(std::uint32_t patch, const glm::vec3& x) const;
+    std::uint32_t patchNear(const glm::vec3& x, const glm::vec3& normal) const;
 
     glm::ivec3 mSize;
-    std::vector<SurfacePatch> mPatches;
-    std::vector<std::uint32_t> mPlaces; ///< of their voxels
+    SurfacePatches mPatches;
+    std::vector<size_t> mFirst; ///< link of each patch, and behind the last
 };
 
 } // namespace eikonal::lightsim

@@ -107,7 +107,7 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
 }
 
 std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Params& params,
-                                    int receivers) const {
+                                    double receivers) const {
     // The plastic number's powers spread successive seeds evenly over a pixel.
     const dvec2 seeded =
         static_cast<double>(params.seed) * dvec2(0.7548776662466927, 0.5698402909980532);
@@ -127,7 +127,7 @@ std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Pa
 }
 
 std::vector<Batch> Emission::batchesOf(const std::vector<Source>& sources, const Params& params,
-                                       int receivers) const {
+                                       double receivers) const {
     const double voxelArea = mVoxelSize * mVoxelSize;
     std::vector<Batch> batches;
     std::vector<Part> some;

@@ -31,7 +31,7 @@ public:
     /// The batches of a light that these stand for, none of more than kBatchPixels; of so many
     /// photons as receivers, so many along an edge of a voxel, want.
     std::vector<Batch> batchesOf(const std::vector<Source>& sources, const Params& params,
-                                 int receivers) const;
+                                 double receivers) const;
 
     /// Fills `photons` and its list. Returns how many there are.
     std::uint32_t emit(gpu::Device& device, const scene::Transport& transport, const Batch& batch,
@@ -39,7 +39,7 @@ public:
 
 private:
     std::vector<Part> partsOf(const std::vector<Source>& sources, const Params& params,
-                              int receivers) const;
+                              double receivers) const;
 
     void emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons);
 

@@ -159,9 +159,11 @@ void sendBatch(Run& run, const Batch& batch, bool bounced, const Progress& progr
 /// opaque surface that they meet.
 void sendPhotons(Run& run, const std::vector<Source>& sources, bool bounced,
                  const Progress& progress) {
-    const bool byVoxels = bounced || run.plan.receivesInVolume();
-    const std::vector<Batch> batches =
-        run.emission->batchesOf(sources, run.params, byVoxels ? 1 : run.plan.surfaces.detail);
+    // What bounces is shared out over more than a voxel.
+    const double receivers = bounced                       ? 0.5
+                             : run.plan.receivesInVolume() ? 1
+                                                           : run.plan.surfaces.detail;
+    const std::vector<Batch> batches = run.emission->batchesOf(sources, run.params, receivers);
     PhotonTracer& tracer = bounced ? *run.bouncer : *run.tracer;
     const auto all = static_cast<double>(batches.size());
     for (size_t b = 0; b < batches.size(); ++b) {

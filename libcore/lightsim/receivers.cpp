@@ -3,7 +3,6 @@
 #include "lightsim/receivers.h"
 
 #include <algorithm>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace eikonal::lightsim {
@@ -13,18 +12,11 @@ namespace {
 using glm::vec3;
 
 /// What bounces falls on fine voxels, too.
-void addSoft(volume::FineGrid& irradiance, const std::vector<vec3>& normals,
-             const SoftLight& soft) {
-    const auto edge = static_cast<float>(irradiance.detail);
-    const tbb::blocked_range<size_t> all(0, irradiance.voxels.size());
-    tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& some) {
-        SoftLight::Near near; // of a voxel of the domain: its fine ones follow one another
-        for (size_t i = some.begin(); i < some.end(); ++i) {
-            const glm::ivec3 voxel = irradiance.voxels[i] / irradiance.detail;
-            if (near.empty() || near.voxel != voxel) near = soft.near(voxel);
-            const vec3 x = (vec3(irradiance.voxels[i]) + 0.5F) / edge - 0.5F;
-            irradiance.values[i] += SoftLight::at(near, x, normals[i]).irradiance;
-        }
+void addSoft(volume::FineGrid& irradiance, const SoftLight& soft) {
+    tbb::parallel_for(size_t{0}, irradiance.voxels.size(), [&](size_t i) {
+        const vec3 x =
+            (vec3(irradiance.voxels[i]) + 0.5F) / static_cast<float>(irradiance.detail) - 0.5F;
+        irradiance.values[i] += soft.ofFine(static_cast<std::uint32_t>(i), x).irradiance;
     });
 }
 
@@ -69,12 +61,7 @@ void Receivers::readPoints(gpu::Device& device, const Plan& plan) {
         const glm::mat3 turn(plan.scene.worldFromVoxelTurn());
         for (size_t i = 0; i < lights.size(); ++i) {
             if (plan.points[i].normal == vec3(0)) continue;
-            const vec3 x = plan.points[i].place;
-            // Far off the domain nothing is near; as floats, whole numbers may not hold it.
-            const vec3 voxel =
-                glm::clamp(glm::floor(x + 0.5F), vec3(-9), vec3(plan.scene.size()) + 9.0F);
-            const LightAtPoint more =
-                SoftLight::at(soft.near(glm::ivec3(voxel)), x, plan.points[i].normal);
+            const LightAtPoint more = soft.at(plan.points[i].place, plan.points[i].normal);
             lights[i].irradiance += more.irradiance;
             lights[i].flow += turn * more.flow;
         }
@@ -95,7 +82,7 @@ Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& pa
     if (mVoxels) result = mVoxels->download(plan);
     if (mSurfaces && plan.points.empty()) {
         result.irradiance = mSurfaces->finish(device);
-        if (mBounces) addSoft(result.irradiance, mSurfaces->normals(), takeBounced(plan));
+        if (mBounces) addSoft(result.irradiance, takeBounced(plan));
     }
     if (mSurfaces && !plan.points.empty() && !params.lightsApart) readPoints(device, plan);
     result.points = std::move(mPoints);

@@ -8,7 +8,11 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/integer.hpp>
 #include <glm/packing.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 namespace eikonal::lightsim {
 
@@ -42,6 +46,26 @@ std::vector<std::uint32_t> receivingBits(const scene::SurfaceVoxels& list) {
         bits[at / 32] |= 1u << (at % 32);
     }
     return bits;
+}
+
+/// The number of a fine voxel, or −1 where no surface crosses it.
+std::int64_t numberOf(const scene::SurfaceVoxels& list, const ivec3& fine) {
+    const int edge = list.detail;
+    if (fine != glm::clamp(fine, ivec3(0), edge * list.size - 1)) return -1;
+    const ivec3 voxel = fine / edge, within = fine - edge * voxel;
+    const auto place =
+        static_cast<std::uint32_t>(scene::placeOf(list.size, voxel.x, voxel.y, voxel.z));
+    const auto found = std::lower_bound(list.voxels.begin(), list.voxels.end(), place);
+    if (found == list.voxels.end() || *found != place) return -1;
+    const size_t record = static_cast<size_t>(found - list.voxels.begin()) *
+                          static_cast<size_t>(scene::maskWords(edge) + 1);
+    const std::uint32_t* words = list.records.data() + record;
+    const int bit = (within.z * edge + within.y) * edge + within.x;
+    const std::uint32_t mask = words[1 + bit / 32], one = 1U << (bit % 32);
+    if ((mask & one) == 0) return -1;
+    std::int64_t number = words[0] + glm::bitCount(mask & (one - 1));
+    for (int word = 0; word < bit / 32; ++word) number += glm::bitCount(words[1 + word]);
+    return number;
 }
 
 } // namespace
@@ -183,16 +207,7 @@ volume::FineGrid SurfaceReceiver::finish(gpu::Device& device) {
     return found;
 }
 
-std::vector<glm::vec3> SurfaceReceiver::normals() const {
-    std::vector<glm::uvec2> areas(static_cast<size_t>(mVoxels.count));
-    mAreas.download(areas.data(), mVoxels.count * 8);
-    std::vector<glm::vec3> normals;
-    normals.reserve(areas.size());
-    for (const glm::uvec2& area : areas) normals.emplace_back(glm::unpackSnorm4x8(area.y));
-    return normals;
-}
-
-std::vector<SurfacePatch> SurfaceReceiver::takeBounced() {
+SurfacePatches SurfaceReceiver::takeBounced() {
     const auto count = static_cast<size_t>(mVoxels.count);
     std::vector<glm::uvec2> areas(count);
     mAreas.download(areas.data(), mVoxels.count * 8);
@@ -200,7 +215,7 @@ std::vector<SurfacePatch> SurfaceReceiver::takeBounced() {
     std::vector<float> stored(static_cast<size_t>(rows.x) * rows.y * rows.z);
     mBounced.download(stored.data(), mBounced.bytes());
     mBounced.clear();
-    std::vector<SurfacePatch> patches;
+    SurfacePatches patches;
     mVoxels.forEach([&](std::uint32_t i, const ivec3& fine) {
         const auto plane = [&](int k) { return stored[i + static_cast<size_t>(k) * count]; };
         SurfacePatch part;
@@ -211,7 +226,38 @@ std::vector<SurfacePatch> SurfaceReceiver::takeBounced() {
         part.area = glm::uintBitsToFloat(areas[i].x) * static_cast<float>(mVoxelSize * mVoxelSize);
         gather(patches, part);
     });
+    link(patches);
     return patches;
+}
+
+/// Patches of neighbouring voxels hang together where surface voxels of both touch.
+void SurfaceReceiver::link(SurfacePatches& patches) const {
+    std::vector<ivec3> fine(static_cast<size_t>(mVoxels.count));
+    mVoxels.forEach([&](std::uint32_t i, const ivec3& at) { fine[i] = at; });
+    using Links = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    tbb::enumerable_thread_specific<Links> parts;
+    const tbb::blocked_range<size_t> all(0, fine.size(), 1024);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& some) {
+        Links& links = parts.local();
+        for (size_t i = some.begin(); i < some.end(); ++i)
+            for (int k = 0; k < 27; ++k) {
+                const ivec3 at = fine[i] + ivec3(k % 3, k / 3 % 3, k / 9) - 1;
+                if (at / mVoxels.detail == fine[i] / mVoxels.detail) continue;
+                const std::int64_t number = numberOf(mVoxels, at);
+                if (number < 0) continue;
+                const std::uint32_t from = patches.ofFine[i];
+                const std::uint32_t to = patches.ofFine[static_cast<size_t>(number)];
+                const std::pair link(from, to);
+                if ((links.empty() || links.back() != link) &&
+                    areOne(patches.all[from].normal, patches.all[to].normal))
+                    links.push_back(link);
+            }
+    });
+    for (const Links& links : parts)
+        patches.links.insert(patches.links.end(), links.begin(), links.end());
+    std::sort(patches.links.begin(), patches.links.end());
+    patches.links.erase(std::unique(patches.links.begin(), patches.links.end()),
+                        patches.links.end());
 }
 
 std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {

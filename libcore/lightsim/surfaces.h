@@ -42,15 +42,14 @@ public:
                                          const glm::dmat3& turn);
 
     /// What bounces, by the domain's voxels; what comes after is summed anew.
-    std::vector<SurfacePatch> takeBounced();
-    /// Of each surface voxel, numbered as finish() does, in voxel space.
-    std::vector<glm::vec3> normals() const;
+    SurfacePatches takeBounced();
 
     std::int64_t count() const { return mVoxels.count; }
     int detail() const { return mVoxels.detail; }
 
 private:
     gpu::Texture makeIrradiance(gpu::Device& device);
+    void link(SurfacePatches& patches) const;
 
     scene::SurfaceVoxels mVoxels;
     scene::SurfaceTable mTable;
