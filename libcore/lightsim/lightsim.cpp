@@ -203,7 +203,7 @@ void sendBeams(Run& run, const Window& window, const Beams::Batch& batch, const 
 void sendBeams(Run& run, const Source& source, size_t sources, const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
     const std::vector<Window> windows = run.beams->windowsOf(source, sources);
-    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z), sources);
+    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z));
     for (size_t w = 0; w < windows.size(); ++w) {
         const Unit unit{source.rgb, windows[w].pixelArea() * (source.isPoint() ? 1.0 : h * h),
                         source.isPoint()};

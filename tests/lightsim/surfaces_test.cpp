@@ -4,6 +4,7 @@
 #include "support/glass_volume.h"
 #include "support/lit.h"
 
+#include <glm/trigonometric.hpp>
 #include <map>
 
 namespace eikonal::lightsim {
@@ -221,6 +222,49 @@ TEST(LightSurfaces, BeamsDrawTheCausticOfABallOnAFloor) {
         scene.texelsOf(Lit(scene.volume(), params).result.irradiance);
     EXPECT_LT(relativeError(photons, exact), 0.1);
     EXPECT_NEAR(meanOf(photons), meanOf(exact), 2e-3 * meanOf(exact));
+}
+
+/// What a disc of that diameter [degree] throws, by the judge's light from directions on rings,
+/// which fill its projection evenly.
+std::vector<double> exactUnderDisc(const BallOverFloor& scene, double diameter, int rings) {
+    const dvec3 axis = glm::normalize(scene.exact.direction);
+    const dvec3 right = glm::normalize(glm::cross(axis, dvec3(1, 0, 0)));
+    const dvec3 up = glm::cross(axis, right);
+    std::vector<double> sum(static_cast<size_t>(scene.kTexels) * scene.kTexels);
+    for (int ring = 0; ring < rings; ++ring) {
+        const int around = 6 * ring + 3; // as many as the ring is wide
+        for (int k = 0; k < around; ++k) {
+            const double off = std::sin(glm::radians(diameter / 2)) * (ring + 0.5) / rings;
+            const double turn = glm::radians(360.0 * (k + 0.5 * (ring % 2)) / around);
+            const double along = std::sqrt(1 - off * off);
+            judge::BallOverPlane from = scene.exact;
+            from.direction = along * axis + off * (std::cos(turn) * right + std::sin(turn) * up);
+            judge::Texels texels({-1, -1}, {1, 1}, scene.kTexels / 2);
+            judge::irradianceUnder(from, texels, 1.0 / 64);
+            for (size_t i = 0; i < sum.size(); ++i)
+                sum[i] += texels.values[i] / (3.0 * rings * rings * along);
+        }
+    }
+    return sum;
+}
+
+TEST(LightSurfaces, ABallsPenumbraAndCausticUnderADiscAreTheJudges) {
+    const BallOverFloor scene;
+    for (const double diameter : {0.53, 6.0}) {
+        SCOPED_TRACE(diameter);
+        const std::vector<double> exact = exactUnderDisc(scene, diameter, 3);
+        Light disc = beam(scene.exact.direction);
+        disc.angle = diameter;
+        const Lit lit(scene.volume(), onSurfaces(disc, scene.kDetail, 1 << 17));
+        const std::vector<double> found = scene.texelsOf(lit.result.irradiance);
+        EXPECT_LT(relativeError(found, exact), 0.02);
+        EXPECT_NEAR(meanOf(found), meanOf(exact), 1e-3 * meanOf(exact));
+    }
+    // Without its disc the wider one's light is another.
+    const Lit point(scene.volume(),
+                    onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 17));
+    EXPECT_GT(relativeError(scene.texelsOf(point.result.irradiance), exactUnderDisc(scene, 6, 3)),
+              0.08);
 }
 
 TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {
