@@ -6,6 +6,7 @@
 #include "lightsim/beams.h"
 #include "lightsim/emission.h"
 #include "lightsim/energy.h"
+#include "lightsim/fronts.h"
 #include "lightsim/octree.h"
 #include "lightsim/photons.h"
 #include "lightsim/receivers.h"
@@ -44,6 +45,7 @@ struct Run {
     std::optional<PhotonTracer> tracer;
     std::optional<EnergyMeter> meter;
     std::optional<Beams> beams;
+    std::optional<Fronts> fronts;
     Photons photons{};
     unsigned batches = 0;  ///< begun so far
     glm::dvec4 dropped{0}; ///< power, see droppedPower()
@@ -90,6 +92,7 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
                 {},
                 {},
                 {},
+                {},
                 {}};
         if (plan.photons) {
             run.emission.emplace(device, plan, params);
@@ -97,6 +100,7 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
             run.meter.emplace(device);
         }
         if (plan.beams) run.beams.emplace(device, plan, params);
+        if (plan.wavefront) run.fronts.emplace(device, plan, params);
         return run;
     });
 }
@@ -192,7 +196,7 @@ void sendBeams(Run& run, const Light& light, const Window& window, const Beams::
                 surfaces.collect(run.device, light.rgb, power, unit);
                 return 0;
             });
-            if (!run.plan.photons) run.dropped += book(run.stats, run.plan, light, power, energy);
+            if (!run.plan.receivesInVolume()) run.dropped += book(run.stats, run.plan, light, power, energy);
             return;
         }
         run.stats.count("batches_run_again", 1);
@@ -219,15 +223,57 @@ void sendBeams(Run& run, const Light& light, const Progress& progress) {
     }
 }
 
+/// A part of a wavefront with this fixed-point unit. Returns whether every sum held it.
+bool sendFront(Run& run, const Light& light, const FrontBatch& front, double power, double unit,
+               const Progress& progress) {
+    run.receivers.bind();
+    BatchEnergy before, after;
+    before.remaining = glm::dvec3(front.flux);
+    if (!run.fronts->carry(run.device, run.transport, run.media, front, unit, after, run.profiler,
+                           run.stats, progress))
+        return false;
+    book(run.stats, run.plan, light, power, before, after);
+    run.dropped += droppedPower(light, power, after);
+    run.pass("resolve", [&] {
+        run.receivers.resolve(run.device, light.rgb, power, unit);
+        return 0;
+    });
+    return true;
+}
+
+/// The wavefront of a light in voxel space. Where a sum nears the end of its range a part of it is
+/// sent again with a smaller unit.
+void sendFronts(Run& run, const Light& light, const Progress& progress) {
+    const double h = run.plan.scene.voxelSize();
+    const std::vector<FrontBatch> fronts = run.fronts->batchesOf(light);
+    run.fronts->begin(light.rgb);
+    for (size_t i = 0; i < fronts.size(); ++i) {
+        const FrontBatch& front = fronts[i];
+        const double power = front.power * (front.point ? 1.0 : h * h);
+        const auto begun = static_cast<double>(i), all = static_cast<double>(fronts.size());
+        const Progress part = partOf(progress, begun / all, (begun + 1) / all);
+        const double kLeast = 1.0 / 1024;
+        double unit = unitFor(std::max(front.flux, 1.0));
+        while (unit >= kLeast && !sendFront(run, light, front, power, unit, part)) {
+            run.stats.count("batches_run_again", 1);
+            run.receivers.clear();
+            unit /= 16;
+        }
+        if (unit < kLeast) throw InternalError("a wavefront overflows a voxel's sum");
+    }
+}
+
 void sendLight(Run& run, const Light& light, const Progress& progress) {
     if (light.rgb.x + light.rgb.y + light.rgb.z <= 0) return;
     if (light.kind == Light::Kind::point)
         for (size_t c = 0; c < 3; ++c)
             run.stats.energy.emitted[c] += 4 * kPi * light.rgb[static_cast<int>(c)];
-    const double split = run.plan.photons && run.plan.beams ? 0.5 : run.plan.beams ? 1.0 : 0.0;
+    const bool volume = run.plan.receivesInVolume();
+    const double split = volume && run.plan.beams ? 0.5 : run.plan.beams ? 1.0 : 0.0;
     if (run.plan.beams && run.receivers.surfaces().count() > 0)
         sendBeams(run, light, partOf(progress, 0, split));
     if (run.plan.photons) sendPhotons(run, light, partOf(progress, split, 1));
+    if (run.plan.wavefront) sendFronts(run, light, partOf(progress, split, 1));
 }
 
 } // namespace

@@ -23,7 +23,9 @@ Method parseMethod(const std::string& name) {
     if (name == "auto") return Method::automatic;
     if (name == "photons") return Method::photons;
     if (name == "beams") return Method::beams;
-    throw UsageError("--method: found '" + name + "', expected auto, photons or beams");
+    if (name == "wavefront") return Method::wavefront;
+    throw UsageError("--method: found '" + name +
+                     "', expected auto, photons, beams or wavefront");
 }
 
 std::int64_t photonCount(double number) {
@@ -36,6 +38,11 @@ std::int64_t photonCount(double number) {
 void Params::check() const {
     if (lights.empty()) throw UsageError("--light: none given, expected at least one");
     if (photons != 0) photonCount(static_cast<double>(photons));
+    if (method == Method::wavefront && !proxy.empty())
+        throw UsageError("--proxy: photons start on it, and --method wavefront sends none; "
+                         "expected one of them");
+    if (seeFront && method != Method::wavefront)
+        throw UsageError("--dump-fronts: only wavefronts have fronts, expected --method wavefront");
     tracing.check("--tolerance");
     require(octreeTolerance >= 0, "--octree-tolerance", octreeTolerance, "0 or more");
     require(octreeTolerance2 >= octreeTolerance, "--octree-tolerance2", octreeTolerance2,

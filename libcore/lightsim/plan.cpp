@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "lightsim/beams.h"
+#include "lightsim/fronts.h"
 #include "lightsim/photons.h"
 #include "lightsim/points.h"
 #include "lightsim/surfaces.h"
@@ -84,9 +85,14 @@ void listEffects(Plan& plan, const Params& params) {
     }
     add(irradiance);
     add({"photons", plan.photons,
-         plan.photons ? "fluence is made of them" : "no volume receives light"});
+         plan.photons     ? "fluence is made of them"
+         : plan.wavefront ? "--method wavefront"
+                          : "no volume receives light"});
     add({"beams", plan.beams,
          plan.beams ? "irradiance is made of them" : "no surface receives light"});
+    if (params.method == Method::wavefront)
+        add({"wavefront", plan.wavefront,
+             plan.wavefront ? "fluence is made of it" : "no volume receives light"});
     add(nothing(named("refraction")));
     if (sharp) add(nothing(named("curved_rays")));
     add(named("absorption"));
@@ -130,8 +136,9 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
         throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
                          " scatters light; expected auto or photons");
     plan.beams = params.method != Method::photons && !plan.surfaces.empty();
-    plan.photons =
-        plan.receivesInVolume() || (params.method == Method::photons && !plan.surfaces.empty());
+    plan.wavefront = params.method == Method::wavefront && plan.receivesInVolume();
+    plan.photons = (plan.receivesInVolume() && !plan.wavefront) ||
+                   (params.method == Method::photons && !plan.surfaces.empty());
     listEffects(plan, params);
     if (!volume.holdsScene()) plan.warnings = scene::idleWarnings(scene::Files(volume), {});
     if (plan.outputs == Output::none) return plan;
@@ -155,6 +162,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (!plan.surfaces.empty()) add(surfaceNeeds(plan));
     if (!plan.points.empty()) add(pointNeeds(plan.points));
     if (plan.beams) add(beamNeeds(plan, params));
+    if (plan.wavefront) add(frontNeeds(plan, params));
     if (plan.usesOctree()) needs.push_back({"the octree", voxels / 2, false, (edge + 1) / 2});
     if (plan.attenuates && !plan.scene.sharp)
         needs.push_back(

@@ -32,14 +32,16 @@ struct Plan {
     std::vector<PointOnSurface> points; ///< that are asked for their light, in voxel space
     bool photons = false;               ///< photons are sent
     bool beams = false;                 ///< beams are
+    bool wavefront = false;             ///< wavefronts are
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
     bool wants(Output output) const {
         return (static_cast<unsigned>(outputs) & static_cast<unsigned>(output)) != 0;
     }
-    /// Whether photons step by the octree: where index or coefficients vary from place to place.
-    bool usesOctree() const { return bends || !scene.sharp; }
+    /// Whether photons or beams step by the octree: where index or coefficients vary from place to
+    /// place.
+    bool usesOctree() const { return (bends || !scene.sharp) && (photons || beams); }
     bool receivesInVolume() const { return wants(Output::fluence) || wants(Output::direction); }
     int tracedChannels() const { return colour ? 3 : 1; }
     int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }

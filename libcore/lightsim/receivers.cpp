@@ -7,7 +7,7 @@ namespace eikonal::lightsim {
 Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params,
                      const scene::Transport& transport, const Media& media, gpu::Profiler& profiler)
     : mPhotonsLand(!plan.beams) {
-    if (plan.photons && plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
+    if (plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
     if (!plan.surfaces.empty()) mSurfaces.emplace(device, plan, transport, media, profiler);
 }
 

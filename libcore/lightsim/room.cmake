@@ -1,5 +1,5 @@
-eikonal_room(lightsim SOURCES beams.cpp emission.cpp energy.cpp lights.cpp lightsim.cpp media.cpp octree.cpp opaque_surfaces.cpp
+eikonal_room(lightsim SOURCES beams.cpp emission.cpp energy.cpp front_cells.cpp fronts.cpp lights.cpp lightsim.cpp media.cpp octree.cpp opaque_surfaces.cpp
                               params.cpp
-                              photon_map.cpp photons.cpp plan.cpp points.cpp receivers.cpp receiving.cpp
+                              photon_map.cpp photons.cpp plan.cpp points.cpp receivers.cpp receiving.cpp scan.cpp
                               surfaces.cpp voxels.cpp
              SYSTEM_INCLUDES ${PROJECT_SOURCE_DIR}/shaders)

@@ -40,8 +40,9 @@ void addOptions(tool::Session& session, Options& o) {
         ->required()
         ->allow_extra_args(false);
     app.add_option("--method", o.method,
-                   "how light is carried: photons, beams, or auto (to surfaces by beams, through "
-                   "volumes by photons)")
+                   "how light is carried: photons, beams, auto (to surfaces by beams, through "
+                   "volumes by photons), or wavefront (to surfaces by beams, through volumes by "
+                   "wavefronts)")
         ->capture_default_str();
     app.add_option("--outputs", o.outputs,
                    "auto (what a render of the file needs, possibly nothing), or a list of "
