@@ -110,6 +110,7 @@ private:
             mBatch.corners.push_back(corner);
         }
         FrontPatch made{};
+        made.state.y = kFrontGoes;
         made.flux = vec4(dvec3(scale * mean * share * mFactor), 0);
         mBatch.patches.push_back(made);
         mBatch.flux += static_cast<double>(made.flux.x);

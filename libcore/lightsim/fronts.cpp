@@ -34,6 +34,14 @@ constexpr double kReach = 3;
 // Rays along an edge of a patch of one voxel.
 constexpr double kRays = 3;
 
+// The flux of a patch below which it does not split for its size, and that a ray has at least [cell of
+// one voxel].
+constexpr double kFaintPatch = 1.0 / 32;
+constexpr double kFaintRay = 1.0 / 128;
+
+// A step of the front where the index is least [voxel].
+constexpr double kStep = 2;
+
 constexpr std::int64_t kCornerBytes = sizeof(FrontCorner);
 constexpr std::int64_t kPatchBytes = sizeof(FrontPatch);
 constexpr std::int64_t kBackBytes = sizeof(FrontBack);
@@ -78,10 +86,12 @@ struct Fronts::Run {
 Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
     : mTrace(device, "lightsim/front_trace.comp.glsl", switchesOf(plan, params)),
       mDeposit(device, "lightsim/front_deposit.comp.glsl", depositSwitchesOf(plan, params)),
-      mList(device, "lightsim/front_list.comp.glsl", {}), mScan(device),
+      mList(device, "lightsim/front_list.comp.glsl", {}),
+      mMark(device, "lightsim/front_pack.comp.glsl", {{"MARKS", 1}}),
+      mPack(device, "lightsim/front_pack.comp.glsl", {{"MARKS", 0}}), mScan(device),
       mBlock(device, sizeof(FrontParams)), mCounters(device, 4 * kFrontCounts),
       mBooks(device, kPart * static_cast<std::int64_t>(sizeof(FrontBooks))),
-      mFlights(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontFlight))),
+      mDepths(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontDepth))),
       mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
       mDetail{cellsOf(params), kPatchEdge, 1 << 24}, mSink(params.seeFront),
       mWorldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
@@ -90,7 +100,7 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
       mMeets(meetsAnything(plan)), mColour(plan.colour) {
     if (mMeets) mHits = gpu::Buffer(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontHit)));
     const double least = std::min<double>(plan.scene.index.least, mOutside);
-    mTimeStep = least * (params.tracing.step > 0 ? params.tracing.step : 1);
+    mTimeStep = least * (params.tracing.step > 0 ? params.tracing.step : kStep);
     mParams.size = ivec4(plan.scene.size(), 0);
     mParams.first = ivec4(-plan.receiving.first, 0);
     const glm::ivec3 bricks = plan.receiving.bricks;
@@ -99,6 +109,7 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
         ivec4(bricks.x, bricks.x * bricks.y, atlas.apart(plan.planes()), atlas.planesApart());
     mParams.list.z = static_cast<unsigned>(params.maxDepth);
     mParams.limits = vec4(params.beamCutoff, params.dropBelow, 0, 0);
+    mParams.faint = vec4(kFaintPatch, kFaintRay, 0, 0);
     mParams.time.y = static_cast<float>(kReach);
     mParams.detail = vec4(kRays, 1.001 * kPatchEdge, kLeastEdge, 0);
 }
@@ -112,24 +123,32 @@ void Fronts::begin(const dvec3& rgb) {
     mParams.colour = vec4(rgb / (rgb.x + rgb.y + rgb.z), 0);
 }
 
-/// Makes room for so many patches. What the list holds is lost.
-void Fronts::fit(gpu::Device& device, List& list, std::int64_t patches) const {
-    if (patches <= list.capacity) return;
-    list.capacity = std::max(patches, list.capacity * 3 / 2);
-    for (gpu::Buffer* buffer : {&list.corners, &list.patches, &list.backs, &list.places})
-        *buffer = gpu::Buffer();
-    list.corners = gpu::Buffer(device, 4 * list.capacity * kCornerBytes);
-    list.patches = gpu::Buffer(device, list.capacity * kPatchBytes);
-    if (mMeets) list.backs = gpu::Buffer(device, 4 * list.capacity * kBackBytes);
-    list.places = gpu::Buffer(device, list.capacity * 4);
+/// Makes room for so many patches, and keeps those there are.
+void Fronts::fit(gpu::Device& device, std::int64_t patches) {
+    if (patches <= mCapacity) return;
+    mCapacity = std::max(patches, mCapacity * 3 / 2);
+    const auto enlarge = [&](gpu::Buffer& buffer, std::int64_t each, bool keep) {
+        if (!keep) buffer = gpu::Buffer();
+        gpu::Buffer larger(device, mCapacity * each);
+        if (keep && mCount > 0) larger.copyFrom(buffer, mCount * each);
+        buffer = std::move(larger);
+    };
+    enlarge(mBefore, 4 * kCornerBytes, true);
+    enlarge(mAfter, 4 * kCornerBytes, true);
+    enlarge(mPatches, kPatchBytes, true);
+    enlarge(mPacked, kPatchBytes, false);
+    enlarge(mPlaces, 4, true);
+    if (mMeets) enlarge(mBacks, 4 * kBackBytes, true);
 }
 
 void Fronts::start(Run& run, const FrontBatch& batch) {
+    mCount = 0;
+    mEnded = 0;
     const auto count = static_cast<std::int64_t>(batch.patches.size());
-    fit(run.device, mNow, count);
-    mNow.count = count;
-    mNow.corners.upload(batch.corners.data(), 4 * count * kCornerBytes);
-    mNow.patches.upload(batch.patches.data(), count * kPatchBytes);
+    fit(run.device, count);
+    mCount = count;
+    mBefore.upload(batch.corners.data(), 4 * count * kCornerBytes);
+    mPatches.upload(batch.patches.data(), count * kPatchBytes);
     mBooks.clear();
     mParams.time.z = batch.startsAtLight ? 1 : 0;
     mParams.limits.w = static_cast<float>(std::exp2(30) / std::max(batch.flux, 1.0));
@@ -147,10 +166,11 @@ void Fronts::fly(Run& run, std::int64_t first, std::int64_t patches) {
     upload();
     run.transport.bind();
     run.media.bind();
-    mNow.corners.bindStorage(kFrontCornersBuffer);
-    mNow.patches.bindStorage(kFrontPatchesBuffer);
-    mFlights.bindStorage(kFlightsBuffer);
-    if (mMeets) mHits.bindStorage(kHitsBuffer);
+    mBefore.bindStorage(kFrontBeforeBuffer);
+    mAfter.bindStorage(kFrontAfterBuffer);
+    mPatches.bindStorage(kFrontPatchesBuffer);
+    mDepths.bindStorage(kFrontDepthsBuffer);
+    if (mMeets) mHits.bindStorage(kFrontHitsBuffer);
     run.profiler.begin("front corners");
     dispatchList(mTrace, 4 * patches);
     run.profiler.end();
@@ -159,58 +179,77 @@ void Fronts::fly(Run& run, std::int64_t first, std::int64_t patches) {
 
 /// What the step does to the patches whose corners have just flown.
 void Fronts::settle(Run& run, std::int64_t patches) {
-    if (mMeets) mNow.backs.bindStorage(kFrontBacksBuffer);
+    if (mMeets) mBacks.bindStorage(kFrontBacksBuffer);
     mBooks.bindStorage(kFrontBooksBuffer);
     mCounters.bindStorage(kFrontCountersBuffer);
-    mNow.places.bindStorage(kPlacesBuffer);
+    mPlaces.bindStorage(kFrontPlacesBuffer);
     run.profiler.begin("front patches");
     dispatchList(mDeposit, patches);
     run.profiler.end();
     run.device.check("wavefront patches");
 }
 
-/// Makes the list of the next step.
+/// Adds the patches into which some part.
 void Fronts::relist(Run& run) {
-    run.profiler.begin("front lists");
-    const std::int64_t count = mScan.run(run.device, mNow.places, mNow.count);
-    fit(run.device, mNext, count);
-    mNext.count = count;
-    mParams.list.x = static_cast<unsigned>(mNow.count);
+    const std::int64_t more = mScan.run(run.device, mPlaces, mCount);
+    fit(run.device, mCount + more);
+    mParams.list.x = static_cast<unsigned>(mCount);
+    mParams.list.w = static_cast<unsigned>(mCount);
     upload();
-    mNow.corners.bindStorage(kFrontCornersBuffer);
-    mNow.patches.bindStorage(kFrontPatchesBuffer);
-    if (mMeets) mNow.backs.bindStorage(kFrontBacksBuffer);
-    mNow.places.bindStorage(kPlacesBuffer);
-    mNext.corners.bindStorage(kNextCornersBuffer);
-    mNext.patches.bindStorage(kNextPatchesBuffer);
-    if (count > 0) dispatchList(mList, mNow.count);
-    run.profiler.end();
-    run.device.check("wavefront lists");
-    std::swap(mNow, mNext);
+    mBefore.bindStorage(kFrontBeforeBuffer);
+    mAfter.bindStorage(kFrontAfterBuffer);
+    mPatches.bindStorage(kFrontPatchesBuffer);
+    mPlaces.bindStorage(kFrontPlacesBuffer);
+    if (mMeets) mBacks.bindStorage(kFrontBacksBuffer);
+    dispatchList(mList, mCount);
+    mCount += more;
+    std::swap(mBefore, mAfter);
+}
+
+/// Puts the patches that have not ended together.
+void Fronts::pack(Run& run) {
+    mParams.list.x = static_cast<unsigned>(mCount);
+    upload();
+    mPatches.bindStorage(kFrontPatchesBuffer);
+    mPlaces.bindStorage(kFrontPlacesBuffer);
+    dispatchList(mMark, mCount);
+    const std::int64_t left = mScan.run(run.device, mPlaces, mCount);
+    upload();
+    mBefore.bindStorage(kFrontBeforeBuffer);
+    mAfter.bindStorage(kFrontAfterBuffer);
+    mPatches.bindStorage(kFrontPatchesBuffer);
+    mPacked.bindStorage(kFrontPackedBuffer);
+    mPlaces.bindStorage(kFrontPlacesBuffer);
+    dispatchList(mPack, mCount);
+    std::swap(mPatches, mPacked);
+    std::swap(mBefore, mAfter);
+    mCount = left;
+    mEnded = 0;
 }
 
 void Fronts::step(Run& run, unsigned number) {
-    // The plastic number's powers spread the rays of successive steps evenly over a patch.
-    const dvec2 shift =
-        glm::fract(0.5 + static_cast<double>(number) * dvec2(0.7548776662466927, 0.5698402909980532));
-    mParams.shift = vec4(shift, 0, 0);
     mParams.time.x = static_cast<float>(number * mTimeStep);
-    mParams.list.w = mNow.count < kMostPatches ? 1 : 0;
+    mParams.list.w = mCount < kMostPatches ? 1 : 0;
     mCounters.clear();
-    for (std::int64_t first = 0; first < mNow.count; first += kPart) {
-        const std::int64_t patches = std::min(mNow.count - first, kPart);
+    for (std::int64_t first = 0; first < mCount; first += kPart) {
+        const std::int64_t patches = std::min(mCount - first, kPart);
         fly(run, first, patches);
         settle(run, patches);
     }
-    run.patches += static_cast<double>(mNow.count);
-    run.most = std::max(run.most, mNow.count);
+    run.patches += static_cast<double>(mCount - mEnded);
+    run.most = std::max(run.most, mCount - mEnded);
     mCounters.download(run.counters.data(), mCounters.bytes());
+    mEnded += run.counters[kFrontEnded];
+    run.profiler.begin("front lists");
     relist(run);
+    if (2 * mEnded > mCount) pack(run);
+    run.profiler.end();
+    run.device.check("wavefront lists");
 }
 
 std::vector<FrontPatch> Fronts::patchesLeft() const {
-    std::vector<FrontPatch> patches(static_cast<size_t>(mNow.count));
-    if (mNow.count > 0) mNow.patches.download(patches.data(), mNow.count * kPatchBytes);
+    std::vector<FrontPatch> patches(static_cast<size_t>(mCount));
+    if (mCount > 0) mPatches.download(patches.data(), mCount * kPatchBytes);
     return patches;
 }
 
@@ -218,11 +257,12 @@ std::vector<FrontPatch> Fronts::patchesLeft() const {
 std::vector<FrontQuad> Fronts::quads(const FrontBatch& batch) const {
     const std::vector<FrontPatch> patches = patchesLeft();
     std::vector<FrontCorner> corners(4 * patches.size());
-    if (mNow.count > 0) mNow.corners.download(corners.data(), 4 * mNow.count * kCornerBytes);
+    if (mCount > 0) mBefore.download(corners.data(), 4 * mCount * kCornerBytes);
     const double watts = batch.power * (batch.point ? 1 : mVoxelSize * mVoxelSize);
     std::vector<FrontQuad> front;
     front.reserve(patches.size());
     for (size_t i = 0; i < patches.size(); ++i) {
+        if (patches[i].state.y == kFrontEnds) continue;
         FrontQuad quad;
         constexpr size_t kRound[4] = {0, 1, 3, 2}; // corners one after the other round it
         for (size_t k = 0; k < 4; ++k)
@@ -250,7 +290,8 @@ BatchEnergy Fronts::energyOf(bool few) const {
         dim += dvec3(book.dim);
         energy.counts[2] += static_cast<double>(book.scattered.w);
     }
-    for (const FrontPatch& patch : patchesLeft()) left += dvec3(patch.flux);
+    for (const FrontPatch& patch : patchesLeft())
+        if (patch.state.y != kFrontEnds) left += dvec3(patch.flux);
     energy.remaining = energy.escaped + deep + dim + left;
     const auto mean = [&](const dvec3& flux) {
         return mColour ? (flux.x + flux.y + flux.z) / 3 : flux.x;
@@ -268,7 +309,7 @@ bool Fronts::carry(gpu::Device& device, const scene::Transport& transport, const
     std::vector<std::vector<FrontQuad>> fronts;
     bool few = false;
     unsigned number = 0;
-    while (mNow.count > 0 && !few && number < mMostSteps) {
+    while (mCount > mEnded && !few && number < mMostSteps) {
         step(run, ++number);
         if (run.counters[kFrontNearFull] != 0) return false;
         const double left = run.counters[kFrontFlux] / std::exp2(30);
@@ -292,7 +333,7 @@ std::vector<gpu::Need> frontNeeds(const Plan& plan, const Params& params) {
     const std::int64_t each = 4 * kCornerBytes + kPatchBytes + 4;
     const std::int64_t back = meetsAnything(plan) ? 4 * kBackBytes : 0;
     const auto flights = static_cast<std::int64_t>(
-        sizeof(FrontFlight) + (meetsAnything(plan) ? sizeof(FrontHit) : 0));
+        sizeof(FrontDepth) + (meetsAnything(plan) ? sizeof(FrontHit) : 0));
     // This step's and the next one's, which may be as many again where the front is bent.
     return {{"the wavefront", 2 * 2 * patches * (each + back), true, 0},
             {"the flights of its corners", 4 * kPart * flights, true, 0}};

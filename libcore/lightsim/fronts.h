@@ -31,27 +31,25 @@ public:
                gpu::Profiler& profiler, Stats& stats, const Progress& progress);
 
 private:
-    /// The patches of a step.
-    struct List {
-        gpu::Buffer corners, patches, backs, places;
-        std::int64_t capacity = 0, count = 0;
-    };
     struct Run;
-    void fit(gpu::Device& device, List& list, std::int64_t patches) const;
+    void fit(gpu::Device& device, std::int64_t patches);
     void start(Run& run, const FrontBatch& batch);
     void upload();
     void fly(Run& run, std::int64_t first, std::int64_t patches);
     void settle(Run& run, std::int64_t patches);
     void relist(Run& run);
+    void pack(Run& run);
     void step(Run& run, unsigned number);
     std::vector<FrontPatch> patchesLeft() const;
     std::vector<FrontQuad> quads(const FrontBatch& batch) const;
     BatchEnergy energyOf(bool few) const;
 
-    gpu::Program mTrace, mDeposit, mList;
+    gpu::Program mTrace, mDeposit, mList, mMark, mPack;
     Scan mScan;
-    gpu::Buffer mBlock, mCounters, mBooks, mFlights, mHits;
-    List mNow, mNext;
+    gpu::Buffer mBlock, mCounters, mBooks, mDepths, mHits;
+    gpu::Buffer mBefore, mAfter, mPatches, mPacked, mBacks, mPlaces; ///< of all patches
+    std::int64_t mCapacity = 0, mCount = 0; ///< patches there is room for, and those there are
+    std::int64_t mEnded = 0;                ///< of these
     FrontParams mParams{};
     VoxelBox mDomain;
     MapDetail mDetail;

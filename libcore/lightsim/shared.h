@@ -31,7 +31,7 @@ static_assert(sizeof(BeamParams) == 256);
 static_assert(sizeof(FrontParams) == 144);
 static_assert(sizeof(FrontCorner) == 64);
 static_assert(sizeof(FrontPatch) == 48);
-static_assert(sizeof(FrontFlight) == 96);
+static_assert(sizeof(FrontDepth) == 32);
 static_assert(sizeof(FrontHit) == 160);
 static_assert(sizeof(FrontBooks) == 80);
 

@@ -25,17 +25,17 @@ const bool kMeetsAnything = kObjects > 0 || kOpaqueVoxels;
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { FrontParams params; };
-layout(std430, binding = kFrontCornersBuffer) buffer Corners { FrontCorner corners[]; };
+layout(std430, binding = kFrontBeforeBuffer) readonly buffer Before { FrontCorner before[]; };
+layout(std430, binding = kFrontAfterBuffer) buffer After { FrontCorner after[]; };
 layout(std430, binding = kFrontPatchesBuffer) buffer Patches { FrontPatch patches[]; };
-layout(std430, binding = kFlightsBuffer) readonly buffer Flights { FrontFlight flights[]; };
-layout(std430, binding = kHitsBuffer) readonly buffer Hits { FrontHit hits[]; };
+layout(std430, binding = kFrontDepthsBuffer) readonly buffer Depths { FrontDepth depths[]; };
+layout(std430, binding = kFrontHitsBuffer) readonly buffer Hits { FrontHit hits[]; };
 layout(std430, binding = kFrontBacksBuffer) writeonly buffer Backs { FrontBack backs[]; };
 layout(std430, binding = kFrontBooksBuffer) buffer Books { FrontBooks books[]; };
 layout(std430, binding = kFrontCountersBuffer) buffer Counters { uint counters[]; };
-layout(std430, binding = kPlacesBuffer) writeonly buffer Places { uint places[]; };
+layout(std430, binding = kFrontPlacesBuffer) writeonly buffer Places { uint places[]; };
 #include "lightsim/deposit.glsl"
 
-const uint kChildren[8] = uint[8](0u, 1u, 2u, 2u, 4u, 2u, 1u, 1u); // of what becomes of a patch
 
 // Four values at a patch's corners, as a polynomial of its coordinates.
 struct Spread {
@@ -78,20 +78,30 @@ bool isAlive(FrontCorner corner) {
     return int(corner.state.x) == kAlive;
 }
 
-Sweep sweepOf(FrontCorner a, FrontCorner b, FrontCorner c, FrontCorner d, FrontFlight to[4]) {
+bool isInside(Spread place) {
+    vec3 low = min(min(place.first, place.first + place.alongU),
+                   min(place.first + place.alongV, place.first + place.alongU + place.alongV + place.twist));
+    vec3 high = max(max(place.first, place.first + place.alongU),
+                    max(place.first + place.alongV, place.first + place.alongU + place.alongV + place.twist));
+    return all(greaterThanEqual(low, vec3(-0.5))) &&
+           all(lessThanEqual(high, 2.0 * transport.halfSize.xyz - 0.5));
+}
+
+Sweep sweepOf(uint first, uvec4 corner, FrontCorner to[4], FrontDepth depth[4]) {
     Sweep sweep;
-    sweep.start = spreadOf(a.place.xyz, b.place.xyz, c.place.xyz, d.place.xyz);
-    sweep.before = spreadOf(a.weight.xyz, b.weight.xyz, c.weight.xyz, d.weight.xyz);
-    sweep.end = spreadOf(to[0].end.place.xyz, to[1].end.place.xyz, to[2].end.place.xyz, to[3].end.place.xyz);
-    sweep.after = spreadOf(to[0].end.weight.xyz, to[1].end.weight.xyz, to[2].end.weight.xyz,
-                           to[3].end.weight.xyz);
-    float extent = to[0].absorbed.w + to[1].absorbed.w + to[2].absorbed.w + to[3].absorbed.w;
+    sweep.start = spreadOf(before[first].place.xyz, before[first + corner.y].place.xyz,
+                           before[first + corner.z].place.xyz, before[first + corner.w].place.xyz);
+    sweep.before = spreadOf(before[first].weight.xyz, before[first + corner.y].weight.xyz,
+                            before[first + corner.z].weight.xyz, before[first + corner.w].weight.xyz);
+    sweep.end = spreadOf(to[0].place.xyz, to[1].place.xyz, to[2].place.xyz, to[3].place.xyz);
+    sweep.after = spreadOf(to[0].weight.xyz, to[1].weight.xyz, to[2].weight.xyz, to[3].weight.xyz);
+    float extent = depth[0].absorbed.w + depth[1].absorbed.w + depth[2].absorbed.w + depth[3].absorbed.w;
     float share = extent > 0.0 ? 1.0 / extent : 0.0;
-    sweep.absorbed = share * (to[0].absorbed + to[1].absorbed + to[2].absorbed + to[3].absorbed).xyz;
-    sweep.scattered = share * (to[0].scattered + to[1].scattered + to[2].scattered + to[3].scattered).xyz;
-    bool starts = isAlive(a) && isAlive(b) && isAlive(c) && isAlive(d);
-    ivec4 status = ivec4(to[0].end.state.x, to[1].end.state.x, to[2].end.state.x, to[3].end.state.x);
-    sweep.inside = starts && all(notEqual(status, ivec4(kLeft)));
+    sweep.absorbed =
+        share * (depth[0].absorbed + depth[1].absorbed + depth[2].absorbed + depth[3].absorbed).xyz;
+    sweep.scattered =
+        share * (depth[0].scattered + depth[1].scattered + depth[2].scattered + depth[3].scattered).xyz;
+    sweep.inside = isInside(sweep.start) && isInside(sweep.end);
     return sweep;
 }
 
@@ -101,19 +111,31 @@ vec2 partInside(vec3 x, vec3 along) {
     return clamp(span, vec2(0.0), vec2(1.0));
 }
 
-// Lays down the light of a sweep. Takes from the flux what media and opaque voxels take.
-void layDown(Sweep sweep, bool single, uint patchNumber, inout vec3 flux, inout FrontBooks book) {
+// The larger one of a patch's channels.
+float mostOf(vec3 flux) {
+    return kColour ? max(flux.x, max(flux.y, flux.z)) : flux.x;
+}
+
+// Rays along both coordinates: as many as its edges call for, unless they would be too faint.
+vec2 raysOf(Sweep sweep, float flux) {
     vec2 edges = max(edgesOf(sweep.start), edgesOf(sweep.end));
-    vec2 counts = single ? vec2(1.0) : max(ceil(params.detail.x * edges - 0.05), vec2(1.0));
-    vec2 shift = single ? vec2(0.5) : params.shift.xy;
+    vec2 wanted = max(params.detail.x * edges, vec2(1.0));
+    float most = max(flux / params.faint.y, 1.0);
+    wanted *= min(sqrt(most / (wanted.x * wanted.y)), 1.0);
+    return max(ceil(wanted - 0.05), vec2(1.0));
+}
+
+// Lays down the light of a sweep. Takes from the flux what media and opaque voxels take.
+void layDown(Sweep sweep, bool single, uint seed, inout vec3 flux, inout FrontBooks book) {
+    vec2 counts = single ? vec2(1.0) : raysOf(sweep, mostOf(flux));
     float rays = counts.x * counts.y;
     vec3 each = flux / (rays * max(meanOf(sweep.before), vec3(1.0e-30)));
-    Load load = Load(vec3(0.0), vec3(0.0), fract(0.61803399 * float(patchNumber)), 0u, 0u, 0.5, 1.0, 0u);
+    Load load = Load(vec3(0.0), vec3(0.0), fract(0.61803399 * float(seed)), 0u, 0u, 0.5, 1.0, 0u);
     Path path = pathFrom(vec3(0.0), vec3(0.0), 0);
     vec3 stopped = vec3(0.0);
     vec2 number = vec2(0.0);
     for (float i = 0.0; i < rays; i += 1.0) {
-        vec2 p = (number + shift) / counts;
+        vec2 p = (number + 0.5) / counts;
         number.x += 1.0;
         if (number.x >= counts.x) number = vec2(0.0, number.y + 1.0);
         vec3 x = at(sweep.start, p);
@@ -139,21 +161,17 @@ void layDown(Sweep sweep, bool single, uint patchNumber, inout vec3 flux, inout 
     if (load.fullest >= kNearFull) atomicOr(counters[kFrontNearFull], 1u);
 }
 
-float brightestOf(vec3 weight) {
-    return kColour ? max(weight.x, max(weight.y, weight.z)) : weight.x;
-}
-
 // Over all corners.
 float brightestOf(Spread weight) {
-    float near = max(brightestOf(weight.first), brightestOf(weight.first + weight.alongU));
-    float far = max(brightestOf(weight.first + weight.alongV),
-                    brightestOf(weight.first + weight.alongU + weight.alongV + weight.twist));
+    float near = max(mostOf(weight.first), mostOf(weight.first + weight.alongU));
+    float far = max(mostOf(weight.first + weight.alongV),
+                    mostOf(weight.first + weight.alongU + weight.alongV + weight.twist));
     return max(near, far);
 }
 
 // How a patch of such edges is cut.
-uint cutOf(vec2 edges, bool single) {
-    if (single || params.list.w == 0u) return kFrontGoes;
+uint cutOf(vec2 edges, bool single, float flux) {
+    if (single || params.list.w == 0u || flux < params.faint.x) return kFrontGoes;
     bvec2 wide = greaterThan(edges, vec2(params.detail.y));
     return wide.x && wide.y ? kFrontSplits : wide.x ? kFrontSplitsU : wide.y ? kFrontSplitsV : kFrontGoes;
 }
@@ -162,31 +180,31 @@ uint cutOf(vec2 edges, bool single) {
 uint partedBy(Sweep sweep) {
     vec2 edges = max(edgesOf(sweep.start), edgesOf(sweep.end));
     bool large = max(edges.x, edges.y) > params.detail.z;
-    return large && params.list.w != 0u ? kFrontSplits : kFrontThins;
+    return large && params.list.w != 0u ? kFrontQuarters : kFrontThins;
 }
 
-bool isInSameObjects(FrontFlight to[4]) {
+bool isInSameObjects(FrontCorner to[4]) {
     uvec2 objects = uvec2(0u);
     bool known = false;
     bool same = true;
     for (int i = 0; i < 4; ++i) {
-        if (!isAlive(to[i].end)) continue;
-        same = same && (!known || to[i].end.state.yz == objects);
-        objects = to[i].end.state.yz;
+        if (!isAlive(to[i])) continue;
+        same = same && (!known || to[i].state.yz == objects);
+        objects = to[i].state.yz;
         known = true;
     }
     return same;
 }
 
-bool endsAtAnything(FrontFlight flight) {
-    return int(flight.end.state.x) == kMeets || int(flight.end.state.x) == kStopped;
+bool endsAtAnything(FrontCorner corner) {
+    return int(corner.state.x) == kMeets || int(corner.state.x) == kStopped;
 }
 
 // Whether four corners meet the same and go on the same ways.
 bool agree(FrontHit hit[4]) {
-    bool same = endsAtAnything(hit[0].flight);
+    bool same = endsAtAnything(hit[0].end);
     for (int i = 1; i < 4; ++i)
-        same = same && hit[i].flight.end.state == hit[0].flight.end.state && hit[i].after == hit[0].after &&
+        same = same && hit[i].end.state == hit[0].end.state && hit[i].after == hit[0].after &&
                (hit[i].mirrored.x == 1.0) == (hit[0].mirrored.x == 1.0);
     return same;
 }
@@ -197,8 +215,7 @@ void book(inout vec4 sum, vec3 flux) {
 
 // A patch at an interface: the weights and fluxes of what goes on and of what is reflected. Returns what
 // becomes of it.
-uint scatter(uint first, Sweep sweep, FrontHit hit[4], bool single, inout FrontPatch part,
-             inout FrontBooks books) {
+uint scatter(uint first, FrontHit hit[4], inout FrontPatch part, inout FrontBooks books) {
     bool passes = hit[0].after.z == 0u;
     if (!passes && part.state.x >= params.list.z) {
         book(books.deep, part.flux.xyz);
@@ -210,17 +227,17 @@ uint scatter(uint first, Sweep sweep, FrontHit hit[4], bool single, inout FrontP
     float most = 0.0;
     float mostBack = 0.0;
     for (int i = 0; i < 4; ++i) {
-        vec3 weight = hit[i].flight.end.weight.xyz;
+        vec3 weight = hit[i].end.weight.xyz;
         vec3 back = hit[i].mirrored.x * weight;
         all += weight;
         mirrored += back;
-        most = max(most, brightestOf(weight - back));
-        mostBack = max(mostBack, brightestOf(back * hit[i].mirrored.yzw));
-        FrontCorner corner = hit[i].flight.end;
+        most = max(most, mostOf(weight - back));
+        mostBack = max(mostBack, mostOf(back * hit[i].mirrored.yzw));
+        FrontCorner corner = hit[i].end;
         corner.wave = hit[i].onward;
         corner.weight.xyz = weight - back;
         corner.state = uvec4(kAlive, hit[i].after.xy, 0u);
-        corners[first + i] = corner;
+        after[first + i] = corner;
         backs[first + i] = FrontBack(hit[i].back, vec4(back * hit[i].mirrored.yzw, 0.0));
     }
     vec3 returned = part.flux.xyz * mirrored / max(all, vec3(1.0e-30));
@@ -237,20 +254,21 @@ uint scatter(uint first, Sweep sweep, FrontHit hit[4], bool single, inout FrontP
         book(books.dim, tinted);
         comesBack = false;
     }
-    part.state.zw = hit[0].flight.end.state.yz;
+    part.state.zw = hit[0].end.state.yz;
     part.flux.xyz = goes ? onward : vec3(0.0);
     part.back.xyz = comesBack ? tinted : vec3(0.0);
+    if (goes && comesBack && params.list.w == 0u) { // no room for another one
+        book(books.dim, mirrored.x < 0.5 * all.x ? tinted : onward);
+        goes = mirrored.x < 0.5 * all.x;
+        comesBack = !goes;
+    }
     return goes && comesBack ? kFrontParts : goes ? kFrontGoes : comesBack ? kFrontBack : kFrontEnds;
 }
 
 // A patch that has met nothing, or all of whose light has come somewhere.
-uint goOn(uint first, Sweep sweep, FrontFlight to[4], bool single, inout FrontPatch part,
-          inout FrontBooks books) {
+uint goOn(Sweep sweep, FrontCorner to[4], bool single, FrontPatch part, inout FrontBooks books) {
     bool left = true;
-    for (int i = 0; i < 4; ++i) {
-        left = left && int(to[i].end.state.x) == kLeft;
-        corners[first + i] = to[i].end;
-    }
+    for (int i = 0; i < 4; ++i) left = left && int(to[i].state.x) == kLeft;
     if (left) {
         book(books.escaped, part.flux.xyz);
         return kFrontEnds;
@@ -259,7 +277,13 @@ uint goOn(uint first, Sweep sweep, FrontFlight to[4], bool single, inout FrontPa
         book(books.dim, part.flux.xyz);
         return kFrontEnds;
     }
-    return cutOf(edgesOf(sweep.end), single);
+    return cutOf(edgesOf(sweep.end), single, mostOf(part.flux.xyz));
+}
+
+// New patches that it makes.
+uint newOnes(uint becomes) {
+    bool two = becomes == kFrontSplitsU || becomes == kFrontSplitsV || becomes == kFrontParts;
+    return two ? 1u : becomes == kFrontSplits || becomes == kFrontQuarters ? 3u : 0u;
 }
 
 void main() {
@@ -267,32 +291,38 @@ void main() {
     if (item >= params.list.x) return;
     uint number = params.list.y + item;
     FrontPatch part = patches[number];
+    places[number] = 0u;
+    if (part.state.y == kFrontEnds) return;
     part.back = vec4(0.0);
     FrontBooks sums = books[item];
     bool single = part.flux.w == 1.0;
     uint first = 4u * number;
     uvec4 corner = single ? uvec4(0u) : uvec4(0u, 1u, 2u, 3u);
-    FrontFlight to[4];
-    for (int i = 0; i < 4; ++i) to[i] = flights[4u * item + corner[i]];
+    FrontCorner to[4];
+    FrontDepth depth[4];
+    for (int i = 0; i < 4; ++i) to[i] = after[first + corner[i]];
+    for (int i = 0; i < 4; ++i) depth[i] = depths[4u * item + corner[i]];
     bool met = false;
     FrontHit hit[4];
     if (kMeetsAnything) {
         for (int i = 0; i < 4; ++i) met = met || endsAtAnything(to[i]);
         for (int i = 0; i < 4; ++i) hit[i] = hits[4u * item + corner[i]];
-        for (int i = 0; i < 4; ++i) if (met) to[i] = hit[i].flight;
+        for (int i = 0; i < 4; ++i) {
+            if (met) to[i] = hit[i].end;
+            if (met) depth[i] = hit[i].depth;
+        }
     }
-    Sweep sweep = sweepOf(corners[first], corners[first + corner.y], corners[first + corner.z],
-                          corners[first + corner.w], to);
+    Sweep sweep = sweepOf(first, corner, to, depth);
     uint becomes = kFrontEnds;
     bool whole = !kMeetsAnything || (met ? agree(hit) : kObjects == 0 || isInSameObjects(to));
     if (whole) {
         layDown(sweep, single, number, part.flux.xyz, sums);
         if (!met) {
-            becomes = goOn(first, sweep, to, single, part, sums);
-        } else if (int(to[0].end.state.x) == kStopped) {
+            becomes = goOn(sweep, to, single, part, sums);
+        } else if (int(to[0].state.x) == kStopped) {
             book(sums.absorbed, part.flux.xyz);
         } else {
-            becomes = scatter(first, sweep, hit, single, part, sums);
+            becomes = scatter(first, hit, part, sums);
         }
     } else {
         becomes = partedBy(sweep);
@@ -301,7 +331,8 @@ void main() {
     books[item] = sums;
     part.state.y = becomes;
     patches[number] = part;
-    places[number] = kChildren[becomes];
+    places[number] = newOnes(becomes);
+    if (becomes == kFrontEnds) atomicAdd(counters[kFrontEnded], 1u);
     vec3 left = becomes == kFrontEnds ? vec3(0.0) : part.flux.xyz + part.back.xyz;
     float mean = kColour ? dot(left, vec3(1.0 / 3.0)) : left.x;
     atomicAdd(counters[kFrontFlux], uint(mean * params.limits.w));

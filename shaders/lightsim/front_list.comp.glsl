@@ -1,7 +1,8 @@
-// The patches of a wavefront's next step, each made of one of this step.
+// The patches that those of a step become, where they are not one each.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a patch is cut new corners stand in the middles of its edges and of itself. An edge is bent as
+// One stays in its place, the others stand behind all that there were, in the order of what they are made
+// of. // Where a patch is cut new corners stand in the middles of its edges and of itself. An edge is bent as
 // the front is, across whose normals, the rays, it runs at both ends.
 #include "shared/bindings.h"
 #include "shared/front_params.h"
@@ -10,12 +11,11 @@
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { FrontParams params; };
-layout(std430, binding = kFrontCornersBuffer) readonly buffer Corners { FrontCorner corners[]; };
-layout(std430, binding = kFrontPatchesBuffer) readonly buffer Patches { FrontPatch patches[]; };
+layout(std430, binding = kFrontBeforeBuffer) readonly buffer Before { FrontCorner before[]; };
+layout(std430, binding = kFrontAfterBuffer) buffer After { FrontCorner after[]; };
+layout(std430, binding = kFrontPatchesBuffer) buffer Patches { FrontPatch patches[]; };
 layout(std430, binding = kFrontBacksBuffer) readonly buffer Backs { FrontBack backs[]; };
-layout(std430, binding = kPlacesBuffer) readonly buffer Places { uint places[]; };
-layout(std430, binding = kNextCornersBuffer) writeonly buffer NextCorners { FrontCorner nextCorners[]; };
-layout(std430, binding = kNextPatchesBuffer) writeonly buffer NextPatches { FrontPatch nextPatches[]; };
+layout(std430, binding = kFrontPlacesBuffer) readonly buffer Places { uint places[]; };
 
 const float kSameTime = 0.25; // clocks so near tell of one front [voxel]
 
@@ -59,81 +59,98 @@ vec3 meanOf(FrontCorner a, FrontCorner b, FrontCorner c, FrontCorner d) {
     return 0.25 * (a.weight.xyz + b.weight.xyz + c.weight.xyz + d.weight.xyz);
 }
 
-void put(uint place, FrontPatch part, FrontCorner a, FrontCorner b, FrontCorner c, FrontCorner d) {
-    nextPatches[place] = part;
-    nextCorners[4u * place] = a;
-    nextCorners[4u * place + 1u] = b;
-    nextCorners[4u * place + 2u] = c;
-    nextCorners[4u * place + 3u] = d;
+// The corners of a patch.
+struct Quad {
+    FrontCorner a;
+    FrontCorner b;
+    FrontCorner c;
+    FrontCorner d;
+};
+
+vec3 weightOf(Quad quad) {
+    return 0.25 * (quad.a.weight.xyz + quad.b.weight.xyz + quad.c.weight.xyz + quad.d.weight.xyz);
 }
 
-// The first half of a patch, or the second, each with the flux that its corners' weights tell.
-FrontPatch halfOf(FrontPatch part, vec3 own, vec3 other) {
+void put(uint place, FrontPatch part, Quad quad) {
+    part.state.y = kFrontGoes;
+    patches[place] = part;
+    after[4u * place] = quad.a;
+    after[4u * place + 1u] = quad.b;
+    after[4u * place + 2u] = quad.c;
+    after[4u * place + 3u] = quad.d;
+}
+
+// A half of a patch, with the flux that both halves' weights tell.
+FrontPatch shareOf(FrontPatch part, vec3 own, vec3 other) {
     part.flux.xyz *= own / max(own + other, vec3(1.0e-30));
     return part;
 }
 
-void splitU(uint place, FrontPatch part, FrontCorner a, FrontCorner b, FrontCorner c, FrontCorner d) {
-    FrontCorner low = between(a, b);
-    FrontCorner high = between(c, d);
-    vec3 near = meanOf(a, low, c, high);
-    vec3 far = meanOf(low, b, high, d);
-    put(place, halfOf(part, near, far), a, low, c, high);
-    put(place + 1u, halfOf(part, far, near), low, b, high, d);
+// In two along the first edge; the second half goes to `other`.
+void splitU(uint place, uint other, FrontPatch part, Quad quad) {
+    FrontCorner low = between(quad.a, quad.b);
+    FrontCorner high = between(quad.c, quad.d);
+    Quad near = Quad(quad.a, low, quad.c, high);
+    Quad far = Quad(low, quad.b, high, quad.d);
+    put(place, shareOf(part, weightOf(near), weightOf(far)), near);
+    put(other, shareOf(part, weightOf(far), weightOf(near)), far);
 }
 
-void splitV(uint place, FrontPatch part, FrontCorner a, FrontCorner b, FrontCorner c, FrontCorner d,
-            bool both) {
-    FrontCorner left = between(a, c);
-    FrontCorner right = between(b, d);
-    vec3 near = meanOf(a, b, left, right);
-    vec3 far = meanOf(left, right, c, d);
-    FrontPatch low = halfOf(part, near, far);
-    FrontPatch high = halfOf(part, far, near);
+// In two along the second edge, or in four.
+void splitV(uint place, uint other, FrontPatch part, Quad quad, bool both) {
+    FrontCorner left = between(quad.a, quad.c);
+    FrontCorner right = between(quad.b, quad.d);
+    Quad near = Quad(quad.a, quad.b, left, right);
+    Quad far = Quad(left, right, quad.c, quad.d);
+    FrontPatch first = shareOf(part, weightOf(near), weightOf(far));
+    FrontPatch second = shareOf(part, weightOf(far), weightOf(near));
     if (both) {
-        splitU(place, low, a, b, left, right);
-        splitU(place + 2u, high, left, right, c, d);
+        splitU(place, other, first, near);
+        splitU(other + 1u, other + 2u, second, far);
     } else {
-        put(place, low, a, b, left, right);
-        put(place + 1u, high, left, right, c, d);
+        put(place, first, near);
+        put(other, second, far);
     }
 }
 
-FrontCorner reflected(uint number, FrontCorner corner, FrontPatch part) {
+FrontCorner reflected(uint number, FrontPatch part) {
+    FrontCorner corner = after[number];
     corner.wave = backs[number].wave;
     corner.weight = backs[number].weight;
     corner.state.yz = part.state.zw;
     return corner;
 }
 
-void reflect(uint place, uint first, FrontPatch part, FrontCorner a, FrontCorner b, FrontCorner c,
-             FrontCorner d) {
+void reflect(uint place, uint first, FrontPatch part) {
     part.flux.xyz = part.back.xyz;
-    put(place, part, reflected(first, a, part), reflected(first + 1u, b, part),
-        reflected(first + 2u, c, part), reflected(first + 3u, d, part));
+    put(place, part, Quad(reflected(first, part), reflected(first + 1u, part), reflected(first + 2u, part),
+                          reflected(first + 3u, part)));
 }
 
 void main() {
     uint number = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (number >= params.list.x) return;
+    uint becomes = patches[number].state.y;
+    if (becomes == kFrontEnds || becomes == kFrontGoes) return;
     FrontPatch part = patches[number];
-    uint becomes = part.state.y;
-    if (becomes == kFrontEnds) return;
-    uint place = places[number];
+    uint other = params.list.w + places[number];
     uint first = 4u * number;
-    FrontCorner a = corners[first];
-    FrontCorner b = corners[first + 1u];
-    FrontCorner c = corners[first + 2u];
-    FrontCorner d = corners[first + 3u];
-    if (becomes == kFrontSplitsU) splitU(place, part, a, b, c, d);
-    else if (becomes == kFrontSplitsV || becomes == kFrontSplits)
-        splitV(place, part, a, b, c, d, becomes == kFrontSplits);
-    else if (becomes == kFrontThins) {
+    if (becomes == kFrontParts || becomes == kFrontBack) {
+        reflect(becomes == kFrontParts ? other : number, first, part);
+        if (becomes == kFrontParts) patches[number].state.y = kFrontGoes;
+        return;
+    }
+    bool asBefore = becomes == kFrontQuarters || becomes == kFrontThins;
+    Quad quad;
+    if (asBefore) quad = Quad(before[first], before[first + 1u], before[first + 2u], before[first + 3u]);
+    else quad = Quad(after[first], after[first + 1u], after[first + 2u], after[first + 3u]);
+    if (becomes == kFrontSplitsU) {
+        splitU(number, other, part, quad);
+    } else if (becomes == kFrontThins) {
         part.flux.w = 1.0;
-        FrontCorner middle = between(between(a, b), between(c, d));
-        put(place, part, middle, middle, middle, middle);
+        FrontCorner middle = between(between(quad.a, quad.b), between(quad.c, quad.d));
+        put(number, part, Quad(middle, middle, middle, middle));
     } else {
-        if (becomes != kFrontBack) put(place, part, a, b, c, d);
-        if (becomes != kFrontGoes) reflect(place + (becomes == kFrontParts ? 1u : 0u), first, part, a, b, c, d);
+        splitV(number, other, part, quad, becomes != kFrontSplitsV);
     }
 }

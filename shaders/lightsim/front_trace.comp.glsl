@@ -21,10 +21,11 @@ const bool kMeetsAnything = kObjects > 0 || kOpaqueVoxels;
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { FrontParams params; };
-layout(std430, binding = kFrontCornersBuffer) readonly buffer Corners { FrontCorner corners[]; };
+layout(std430, binding = kFrontBeforeBuffer) readonly buffer Before { FrontCorner before[]; };
+layout(std430, binding = kFrontAfterBuffer) writeonly buffer After { FrontCorner after[]; };
 layout(std430, binding = kFrontPatchesBuffer) readonly buffer Patches { FrontPatch patches[]; };
-layout(std430, binding = kFlightsBuffer) writeonly buffer Flights { FrontFlight flights[]; };
-layout(std430, binding = kHitsBuffer) writeonly buffer Hits { FrontHit hits[]; };
+layout(std430, binding = kFrontDepthsBuffer) writeonly buffer Depths { FrontDepth depths[]; };
+layout(std430, binding = kFrontHitsBuffer) writeonly buffer Hits { FrontHit hits[]; };
 layout(binding = kOpaqueUnit) uniform usampler3D opaque; // per voxel, not 0 inside opaque material
 #include "lightsim/medium.glsl"
 
@@ -264,15 +265,14 @@ uvec2 wordsOf(ObjectSet objects) {
 #endif
 }
 
-FrontFlight recordOf(Flight flight) {
-    FrontFlight record;
-    record.end.place = vec4(flight.path.ray.x, flight.clock);
-    record.end.wave = vec4(flight.path.ray.w, flight.path.departs);
-    record.end.weight = vec4(flight.path.throughput, 0.0);
-    record.end.state = uvec4(flight.path.status, wordsOf(flight.path.objects), uint(flight.ahead.object));
-    record.absorbed = vec4(flight.absorbed, flight.extent);
-    record.scattered = vec4(flight.scattered, 0.0);
-    return record;
+FrontCorner cornerOf(Flight flight) {
+    return FrontCorner(vec4(flight.path.ray.x, flight.clock), vec4(flight.path.ray.w, flight.path.departs),
+                       vec4(flight.path.throughput, 0.0),
+                       uvec4(flight.path.status, wordsOf(flight.path.objects), uint(flight.ahead.object)));
+}
+
+FrontDepth depthOf(Flight flight) {
+    return FrontDepth(vec4(flight.absorbed, flight.extent), vec4(flight.scattered, 0.0));
 }
 
 // What goes on from the boundary met, or nothing where that is opaque.
@@ -296,7 +296,8 @@ FrontHit hitFrom(inout Flight flight) {
             hit.after.z = 1u;
         }
     }
-    hit.flight = recordOf(flight);
+    hit.end = cornerOf(flight);
+    hit.depth = depthOf(flight);
     return hit;
 }
 
@@ -305,10 +306,12 @@ void main() {
     if (item >= 4u * params.list.x) return;
     uint corner = 4u * params.list.y + item;
     bool single = patches[corner >> 2u].flux.w == 1.0;
-    if (single && (corner & 3u) != 0u) return;
-    Flight flight = flightFrom(corners[corner]);
+    bool ended = patches[corner >> 2u].state.y == kFrontEnds;
+    if (ended || (single && (corner & 3u) != 0u)) return;
+    Flight flight = flightFrom(before[corner]);
     fly(flight, params.time.x, kObjects > 0 ? params.time.y : 0.0);
-    flights[item] = recordOf(flight);
+    after[corner] = cornerOf(flight);
+    if (kMedium) depths[item] = depthOf(flight);
     if (kMeetsAnything) {
         // A single ray has no other corners to agree with.
         if (!single && mayMeet(flight))

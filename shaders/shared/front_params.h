@@ -21,16 +21,16 @@ struct FrontPatch {
                  // the reflected patch is in
 };
 
-// A corner's flight in a step.
-struct FrontFlight {
-    FrontCorner end;
-    vec4 absorbed;  // optical depth by absorption; w: its length within the domain [voxel]
+// What a medium did to a corner in a step.
+struct FrontDepth {
+    vec4 absorbed;  // optical depth by absorption; w: length within the domain [voxel]
     vec4 scattered; // the same by scattering
 };
 
 // What a corner meets in a step or soon after it.
 struct FrontHit {
-    FrontFlight flight; // its status is kMeets or kStopped, or else it meets nothing
+    FrontCorner end; // its status is kMeets or kStopped, or else it meets nothing
+    FrontDepth depth;
     vec4 onward;        // w behind the interface; w: how steeply it leaves
     vec4 back;          // the same of what is reflected
     vec4 mirrored;      // x: share that is reflected, 1: all; yzw: the mirror's tint
@@ -47,33 +47,36 @@ struct FrontParams {
     ivec4 size;   // as PhotonParams::size
     ivec4 first;  // as PhotonParams::first
     ivec4 bricks; // as PhotonParams::bricks
-    uvec4 list;   // x: patches or counts at hand, y: the first of them, z: most interfaces met, w: 1 if
-                  // patches may split
+    uvec4 list;   // x: patches at hand, y: the first of them, z: most interfaces met, w: patches in
+                  // all, behind which new ones stand; 0 if there may be no more
     vec4 limits;  // x: a kind of path is not followed below this share, y: a patch dimmer than this is
                   // dropped, z: fixed-point unit of one voxel's length at weight 1, w: the same of
                   // the flux that is left
+    vec4 faint;   // x: flux of a patch below which it does not split for its size, y: that a ray has
+                  // at least
     vec4 colour;  // as PhotonParams::colour
     vec4 time;    // x: the front's clock after this step, y: how far ahead corners look for boundaries
                   // [voxel of optical path], z: 1 if the light is in the domain
     vec4 detail;  // x: rays along an edge of a patch of one voxel, y: edge above which it splits, z:
                   // and below which it is a single ray where its corners disagree [voxel]
-    vec4 shift;   // xy: of rays within a patch, in this step
 };
 
-// What becomes of a patch.
+// What becomes of a patch. The first part of it stays in its place.
 const uint kFrontEnds = 0u;
 const uint kFrontGoes = 1u;
 const uint kFrontSplitsU = 2u; // into two, along its first edge
 const uint kFrontSplitsV = 3u;
 const uint kFrontSplits = 4u;  // into four
 const uint kFrontParts = 5u;   // into what goes on and what is reflected
-const uint kFrontThins = 6u;   // to a single ray
-const uint kFrontBack = 7u;    // what is reflected alone
+const uint kFrontBack = 6u;    // what is reflected goes on alone
+const uint kFrontQuarters = 7u; // into four as it was before the step
+const uint kFrontThins = 8u;   // to a single ray, the middle of what was before the step
 
 // Counters of a step.
 const int kFrontNearFull = 0; // not 0 if a sum came near its end
 const int kFrontFlux = 1;     // that is left, fixed point
-const int kFrontCounts = 2;
+const int kFrontEnded = 2;    // patches
+const int kFrontCounts = 3;
 
 // The books of a slot of patches.
 struct FrontBooks {

@@ -51,6 +51,7 @@ TEST(LightFronts, APointLightFallsOffWithTheSquareOfTheDistance) {
             const double r2 = glm::dot(away, away);
             if (r2 < 16) return;
             const double e = lit.fluence(p) * r2 - 1;
+            if (std::abs(e) > 0.12) std::printf("(%d %d %d: %.3f) ", p.x, p.y, p.z, e);
             worst = std::max(worst, std::abs(e)); rms += e * e; n += 1;
         });
         std::printf("worst %g rms %g escaped %g entered %g patches %g\n", worst, std::sqrt(rms / n), lit.stats.energy.escaped[0], lit.stats.energy.entered[0], lit.counter("front_patches"));
