@@ -169,9 +169,17 @@ float brightestOf(Spread weight) {
     return max(near, far);
 }
 
-// How a patch of such edges is cut.
-uint cutOf(vec2 edges, bool single, float flux) {
+// The larger angle between rays at the ends of opposite edges, along both coordinates [rad], nearly.
+vec2 anglesOf(FrontCorner corner[4]) {
+    vec3 d[4];
+    for (int i = 0; i < 4; ++i) d[i] = normalize(corner[i].wave.xyz);
+    return vec2(max(length(d[1] - d[0]), length(d[3] - d[2])), max(length(d[2] - d[0]), length(d[3] - d[1])));
+}
+
+// How a patch is cut that has become wide, or soon will.
+uint cutOf(vec2 edges, vec2 angles, bool single, float flux) {
     if (single || params.list.w == 0u || flux < params.faint.x) return kFrontGoes;
+    edges = max(edges, angles * params.faint.z);
     bvec2 wide = greaterThan(edges, vec2(params.detail.y));
     return wide.x && wide.y ? kFrontSplits : wide.x ? kFrontSplitsU : wide.y ? kFrontSplitsV : kFrontGoes;
 }
@@ -277,7 +285,7 @@ uint goOn(Sweep sweep, FrontCorner to[4], bool single, FrontPatch part, inout Fr
         book(books.dim, part.flux.xyz);
         return kFrontEnds;
     }
-    return cutOf(edgesOf(sweep.end), single, mostOf(part.flux.xyz));
+    return cutOf(edgesOf(sweep.end), anglesOf(to), single, mostOf(part.flux.xyz));
 }
 
 // New patches that it makes.
