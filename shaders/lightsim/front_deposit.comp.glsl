@@ -184,10 +184,11 @@ uint cutOf(vec2 edges, vec2 angles, bool single, float flux) {
     return wide.x && wide.y ? kFrontSplits : wide.x ? kFrontSplitsU : wide.y ? kFrontSplitsV : kFrontGoes;
 }
 
-// What becomes of a patch whose corners disagree: smaller ones, or its middle's ray.
-uint partedBy(Sweep sweep) {
-    vec2 edges = max(edgesOf(sweep.start), edgesOf(sweep.end));
-    bool large = max(edges.x, edges.y) > params.detail.z;
+// What becomes of a patch whose corners disagree: smaller ones, or its middle's ray. It is as large as it
+// was before the step, or would be within reach, as at a light.
+uint partedBy(Sweep sweep, vec2 angles, float flux) {
+    vec2 edges = edgesOf(sweep.start) + params.time.y * angles;
+    bool large = max(edges.x, edges.y) > params.detail.z && flux > params.faint.y / 64.0;
     return large && params.list.w != 0u ? kFrontQuarters : kFrontThins;
 }
 
@@ -333,7 +334,9 @@ void main() {
             becomes = scatter(first, hit, part, sums);
         }
     } else {
-        becomes = partedBy(sweep);
+        FrontCorner from[4];
+        for (int i = 0; i < 4; ++i) from[i] = before[first + corner[i]];
+        becomes = partedBy(sweep, anglesOf(from), mostOf(part.flux.xyz));
     }
     sums.absorbed.w += 1.0;
     books[item] = sums;

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "common/session.h"
 #include "common/tracing.h"
+#include "front_files.h"
 #include "lightsim/lightsim.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
     std::string input, method = "auto", outputs = "auto", detail = "auto", photons = "auto", proxy,
-                       octree, points;
+                       octree, points, fronts;
     std::vector<std::string> lights;
     volume::GridNames names;
     lightsim::Params params;
@@ -117,6 +118,10 @@ void addOptions(tool::Session& session, Options& o) {
     app.add_option("--dump-octree", o.octree,
                    "write the octree that photons step by: grids octree_level, octree_step [voxel]")
         ->type_name("FILE.vdb");
+    app.add_option("--dump-fronts", o.fronts,
+                   "with --method wavefront: write the front after each step of time as a mesh of "
+                   "quads, front_0001.ply and so on, each with its power [W] and irradiance [W/m²]")
+        ->type_name("DIR");
     tool::addGridNames(app, o.names,
                        {"ior", "absorption", "scattering", "anisotropy", "opacity", "sdf"});
 }
@@ -229,6 +234,9 @@ void simulate(tool::Session& session, Options& o) {
     o.params.tracing = o.tracing->finish();
     if (session.app().count("--octree-tolerance2") == 0)
         o.params.octreeTolerance2 = std::max(o.params.octreeTolerance2, o.params.octreeTolerance);
+    std::optional<FrontFiles> fronts;
+    if (!o.fronts.empty())
+        o.params.seeFront = [&](int step, const auto& front) { fronts->add(step, front); };
     o.params.check();
     session.guardInputs({o.input, o.proxy, o.points}, {o.octree});
     if (!o.points.empty()) checkPoints(session, o);
@@ -260,6 +268,7 @@ void simulate(tool::Session& session, Options& o) {
     for (const std::string& warning : plan->warnings) session.warn(warning);
     AtomicFile& out = *session.outputs().at(0);
     if (!o.octree.empty()) writeOctree(session, o, *volume, *plan);
+    if (!o.fronts.empty()) fronts.emplace(o.fronts);
     lightsim::Result result;
     if (plan->outputs == lightsim::Output::none) {
         session.note(o.points.empty() ? "nothing in " + volume->path() +
@@ -287,6 +296,7 @@ void simulate(tool::Session& session, Options& o) {
                     volume->putFine("irradiance", volume->domain(), result.irradiance);
             });
     }
+    if (fronts) fronts->write(session);
     if (!o.points.empty()) return writeLight(session, o, *volume, points, result);
     session.pass("write", [&] { volume->write(out, session.history()); });
 }
