@@ -316,7 +316,8 @@ bool Fronts::carry(gpu::Device& device, const scene::Transport& transport, const
     while (mCount > mEnded && !few && number < mMostSteps) {
         step(run, ++number);
         if (run.counters[kFrontNearFull] != 0) return false;
-        const double left = run.counters[kFrontFlux] / mParams.limits.w / std::max(batch.flux, 1.0);
+        const double left = static_cast<double>(run.counters[kFrontFlux]) /
+                            static_cast<double>(mParams.limits.w) / batch.flux;
         few = left < mThinTo;
         if (mSink) fronts.push_back(quads(batch));
         report(progress, 1 - std::min(left, 1.0));
