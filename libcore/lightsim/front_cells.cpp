@@ -56,8 +56,8 @@ dvec2 spanIn(const VoxelBox& box, const MapRay& ray) {
 /// A light's front as it is made.
 class Maker {
 public:
-    Maker(const Window& window, const VoxelBox& domain, double outside, double start,
-          double factor, FrontBatch& batch)
+    Maker(const Window& window, const VoxelBox& domain, double outside, double start, double factor,
+          FrontBatch& batch)
         : mWindow(window), mDomain(domain), mWider{domain.low - kMissed, domain.high + kMissed},
           mOutside(outside), mStart(start), mFactor(factor), mBatch(batch) {}
 
@@ -91,8 +91,8 @@ private:
     double correction(const std::array<dvec2, 4>& corners, double mean) const {
         if (!mWindow.point) return 1;
         const dvec2 a = corners[0], b = corners[3];
-        const double angle = cornerAngle(b.x, b.y) - cornerAngle(a.x, b.y) -
-                             cornerAngle(b.x, a.y) + cornerAngle(a.x, a.y);
+        const double angle = cornerAngle(b.x, b.y) - cornerAngle(a.x, b.y) - cornerAngle(b.x, a.y) +
+                             cornerAngle(a.x, a.y);
         return angle / ((b.x - a.x) * (b.y - a.y) * mean);
     }
 
@@ -143,8 +143,7 @@ double startOf(const std::vector<Window>& windows, const VoxelBox& domain) {
 
 std::vector<FrontBatch> frontOf(const Light& light, const VoxelBox& domain, const MapDetail& detail,
                                 double outside) {
-    const std::vector<Window> windows =
-        windowsOf(light, domain, domain, detail, dvec2(0), false);
+    const std::vector<Window> windows = windowsOf(light, domain, domain, detail, dvec2(0), false);
     std::vector<FrontBatch> batches;
     if (windows.empty()) return batches;
     const double start = startOf(windows, domain), power = windows.front().pixelArea();

@@ -34,9 +34,9 @@ constexpr double kReach = 3;
 // Rays along an edge of a patch of one voxel.
 constexpr double kRays = 3;
 
-// The flux of a patch below which it does not split for its size, and that a ray has at least [cell of
-// one voxel].
-constexpr double kFaintPatch = 1.0 / 64;
+// The flux of a patch below which it does not split for its size, and that a ray has at least [cell
+// of one voxel].
+constexpr double kFaintPatch = 1.0 / 32;
 constexpr double kFaintRay = 1.0 / 128;
 
 // A patch splits that will be as wide so much farther on [voxel]: the sooner it does, the less new
@@ -44,7 +44,7 @@ constexpr double kFaintRay = 1.0 / 128;
 constexpr double kForesight = 32;
 
 // A step of the front where the index is least [voxel].
-constexpr double kStep = 2;
+constexpr double kStep = 4;
 
 constexpr std::int64_t kCornerBytes = sizeof(FrontCorner);
 constexpr std::int64_t kPatchBytes = sizeof(FrontPatch);
@@ -72,7 +72,9 @@ gpu::Switches depositSwitchesOf(const Plan& plan, const Params& params) {
 /// Cells of a map for so many photons: a cell has the rays of so many.
 std::int64_t cellsOf(const Params& params) {
     const double each = kRays * kRays;
-    return params.photons > 0 ? std::max<std::int64_t>(std::llround(static_cast<double>(params.photons) / each), 1) : 0;
+    return params.photons > 0
+               ? std::max<std::int64_t>(std::llround(static_cast<double>(params.photons) / each), 1)
+               : 0;
 }
 
 } // namespace
@@ -83,7 +85,7 @@ struct Fronts::Run {
     const Media& media;
     gpu::Profiler& profiler;
     std::array<std::uint32_t, kFrontCounts> counters{};
-    double patches = 0; ///< steps of them
+    double patches = 0;    ///< steps of them
     std::int64_t most = 0; ///< at once
 };
 
@@ -96,13 +98,14 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
       mBlock(device, sizeof(FrontParams)), mCounters(device, 4 * kFrontCounts),
       mBooks(device, kPart * static_cast<std::int64_t>(sizeof(FrontBooks))),
       mDepths(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontDepth))),
-      mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
-      mDetail{cellsOf(params), kPatchEdge, 1 << 24}, mSink(params.seeFront),
-      mWorldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
+      mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5}, mDetail{cellsOf(params), kPatchEdge,
+                                                                    1 << 24},
+      mSink(params.seeFront), mWorldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
       mVoxelSize(plan.scene.voxelSize()), mOutside(plan.scene.index.background),
       mThinTo(params.thinTo), mMostSteps(static_cast<unsigned>(params.maxSteps)),
       mMeets(meetsAnything(plan)), mColour(plan.colour) {
-    if (mMeets) mHits = gpu::Buffer(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontHit)));
+    if (mMeets)
+        mHits = gpu::Buffer(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontHit)));
     const double least = std::min<double>(plan.scene.index.least, mOutside);
     mTimeStep = least * (params.tracing.step > 0 ? params.tracing.step : kStep);
     mParams.size = ivec4(plan.scene.size(), 0);
@@ -207,7 +210,6 @@ void Fronts::relist(Run& run) {
     if (mMeets) mBacks.bindStorage(kFrontBacksBuffer);
     dispatchList(mList, mCount);
     mCount += more;
-    std::swap(mBefore, mAfter);
 }
 
 /// Puts the patches that have not ended together.
@@ -245,7 +247,8 @@ void Fronts::step(Run& run, unsigned number) {
     mCounters.download(run.counters.data(), mCounters.bytes());
     mEnded += run.counters[kFrontEnded];
     run.profiler.begin("front lists");
-    relist(run);
+    if (run.counters[kFrontChanged] != 0) relist(run);
+    std::swap(mBefore, mAfter);
     if (2 * mEnded > mCount) pack(run);
     run.profiler.end();
     run.device.check("wavefront lists");
@@ -270,8 +273,8 @@ std::vector<FrontQuad> Fronts::quads(const FrontBatch& batch) const {
         FrontQuad quad;
         constexpr size_t kRound[4] = {0, 1, 3, 2}; // corners one after the other round it
         for (size_t k = 0; k < 4; ++k)
-            quad.corners[k] = dvec3(
-                mWorldFromVoxel * glm::dvec4(dvec3(corners[4 * i + kRound[k]].place), 1.0));
+            quad.corners[k] =
+                dvec3(mWorldFromVoxel * glm::dvec4(dvec3(corners[4 * i + kRound[k]].place), 1.0));
         const dvec3 flux(patches[i].flux);
         quad.power = watts * mRgb * (mColour ? flux : dvec3(flux.x));
         quad.singleRay = patches[i].flux.w != 0;
@@ -334,11 +337,12 @@ std::vector<gpu::Need> frontNeeds(const Plan& plan, const Params& params) {
     const double wanted = static_cast<double>(cellsOf(params));
     const glm::dvec3 size(plan.scene.size());
     const double seen = std::max({size.x * size.y, size.y * size.z, size.z * size.x}) * 2;
-    const auto patches = static_cast<std::int64_t>(std::min(std::max(wanted, seen), double{1 << 18}));
+    const auto patches =
+        static_cast<std::int64_t>(std::min(std::max(wanted, seen), double{1 << 18}));
     const std::int64_t each = 4 * kCornerBytes + kPatchBytes + 4;
     const std::int64_t back = meetsAnything(plan) ? 4 * kBackBytes : 0;
-    const auto flights = static_cast<std::int64_t>(
-        sizeof(FrontDepth) + (meetsAnything(plan) ? sizeof(FrontHit) : 0));
+    const auto flights = static_cast<std::int64_t>(sizeof(FrontDepth) +
+                                                   (meetsAnything(plan) ? sizeof(FrontHit) : 0));
     // This step's and the next one's, which may be as many again where the front is bent.
     return {{"the wavefront", 2 * 2 * patches * (each + back), true, 0},
             {"the flights of its corners", 4 * kPart * flights, true, 0}};

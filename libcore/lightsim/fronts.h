@@ -1,8 +1,9 @@
 // Light by wavefronts: patches of four rays that advance in equal steps of time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// After Ihrke et al. 2007 (Eikonal Rendering, §4.2, §5.2). A patch carries a flux. Where theirs ends as
-// it inverts, it goes on behind the caustic, and voxels sum up what all patches leave in them.
+// After Ihrke et al. 2007 (Eikonal Rendering, §4.2, §5.2). A patch carries a flux. Where theirs
+// ends as it inverts, it goes on behind the caustic, and voxels sum up what all patches leave in
+// them.
 #pragma once
 
 #include "base/progress.h"
@@ -27,8 +28,8 @@ public:
     /// are bound, `unit` to a voxel's length at flux 1. Returns whether every sum held it, and what
     /// became of the flux [cells]. Of one that did not hold nothing has been seen.
     bool carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
-               const FrontBatch& batch, double unit, BatchEnergy& energy,
-               gpu::Profiler& profiler, Stats& stats, const Progress& progress);
+               const FrontBatch& batch, double unit, BatchEnergy& energy, gpu::Profiler& profiler,
+               Stats& stats, const Progress& progress);
 
 private:
     struct Run;

@@ -196,7 +196,8 @@ void sendBeams(Run& run, const Light& light, const Window& window, const Beams::
                 surfaces.collect(run.device, light.rgb, power, unit);
                 return 0;
             });
-            if (!run.plan.receivesInVolume()) run.dropped += book(run.stats, run.plan, light, power, energy);
+            if (!run.plan.receivesInVolume())
+                run.dropped += book(run.stats, run.plan, light, power, energy);
             return;
         }
         run.stats.count("batches_run_again", 1);

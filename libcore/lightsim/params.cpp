@@ -24,8 +24,7 @@ Method parseMethod(const std::string& name) {
     if (name == "photons") return Method::photons;
     if (name == "beams") return Method::beams;
     if (name == "wavefront") return Method::wavefront;
-    throw UsageError("--method: found '" + name +
-                     "', expected auto, photons, beams or wavefront");
+    throw UsageError("--method: found '" + name + "', expected auto, photons, beams or wavefront");
 }
 
 std::int64_t photonCount(double number) {

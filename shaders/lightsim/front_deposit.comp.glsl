@@ -344,6 +344,7 @@ void main() {
     patches[number] = part;
     places[number] = newOnes(becomes);
     if (becomes == kFrontEnds) atomicAdd(counters[kFrontEnded], 1u);
+    if (becomes > kFrontGoes) atomicOr(counters[kFrontChanged], 1u);
     vec3 left = becomes == kFrontEnds ? vec3(0.0) : part.flux.xyz + part.back.xyz;
     float mean = kColour ? dot(left, vec3(1.0 / 3.0)) : left.x;
     atomicAdd(counters[kFrontFlux], uint(mean * params.limits.w));

@@ -54,7 +54,10 @@ void enter(inout Flight flight, vec3 direction) {
     flight.path.objects = kObjects > 0 ? objectsAt(flight.path.ray.x, direction, params.time.z == 1.0)
                                        : flight.path.objects;
     int region = regionOf(flight.path.objects);
-    flight.path.ray.w = indexOf(region, flight.path.ray.x) * direction;
+    // Steps keep |w| at n; one look-up tells where to begin, a device walks this branch every time.
+    bool steps = kIntegrator == kVerlet && kField == 1 && indexVariesIn(region);
+    float n = steps ? fieldAt(flight.path.ray.x).w : indexOf(region, flight.path.ray.x);
+    flight.path.ray.w = n * direction;
     flight.path.status = isOpaque(region) ? kStopped : kAlive;
 }
 
@@ -227,15 +230,13 @@ void flyBent(inout Flight flight, int region, float until) {
 
 // Until the clock says so, or a boundary is met. `reach` is how far those are looked for.
 void fly(inout Flight flight, float until, float reach) {
-    for (int i = 0; i < kMostRounds && until - flight.clock > kLate; ++i) {
-        if (flight.path.status == kNone) approach(flight, until);
-        else if (flight.path.status == kLeft) leave(flight, until);
-        else if (flight.path.status == kAlive) {
-            int region = regionOf(flight.path.objects);
-            if (indexVariesIn(region)) flyBent(flight, region, until);
-            else flyStraight(flight, region, until, reach);
-        } else break;
+    if (flight.path.status == kNone && until - flight.clock > kLate) approach(flight, until);
+    for (int i = 0; i < kMostRounds && flight.path.status == kAlive && until - flight.clock > kLate; ++i) {
+        int region = regionOf(flight.path.objects);
+        if (indexVariesIn(region)) flyBent(flight, region, until);
+        else flyStraight(flight, region, until, reach);
     }
+    if (flight.path.status == kLeft) leave(flight, until);
 }
 
 // Whether there may be a boundary within reach beyond the step.

@@ -76,7 +76,8 @@ const uint kFrontThins = 8u;   // to a single ray, the middle of what was before
 const int kFrontNearFull = 0; // not 0 if a sum came near its end
 const int kFrontFlux = 1;     // that is left, fixed point
 const int kFrontEnded = 2;    // patches
-const int kFrontCounts = 3;
+const int kFrontChanged = 3;  // not 0 if some patch became others
+const int kFrontCounts = 4;
 
 // The books of a slot of patches.
 struct FrontBooks {

@@ -51,7 +51,8 @@ private:
         Quad out{};
         for (size_t k = 0; k < 4; ++k)
             for (int i = 0; i < 3; ++i)
-                out.corners[3 * k + static_cast<size_t>(i)] = static_cast<float>(quad.corners[k][i]);
+                out.corners[3 * k + static_cast<size_t>(i)] =
+                    static_cast<float>(quad.corners[k][i]);
         const double power = (quad.power.x + quad.power.y + quad.power.z) / 3;
         const double area = 0.5 * glm::length(glm::cross(quad.corners[2] - quad.corners[0],
                                                          quad.corners[3] - quad.corners[1]));
