@@ -39,6 +39,9 @@ constexpr double kRays = 3;
 constexpr double kFaintPatch = 1.0 / 32;
 constexpr double kFaintRay = 1.0 / 128;
 
+// The flux of a patch below which all of it goes one way at an interface.
+constexpr double kFaintPart = 1.0 / 4096;
+
 // A patch splits that will be as wide so much farther on [voxel]: the sooner it does, the less new
 // corners between the old ones are off.
 constexpr double kForesight = 32;
@@ -116,7 +119,7 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
         ivec4(bricks.x, bricks.x * bricks.y, atlas.apart(plan.planes()), atlas.planesApart());
     mParams.list.z = static_cast<unsigned>(params.maxDepth);
     mParams.limits = vec4(params.beamCutoff, params.dropBelow, 0, 0);
-    mParams.faint = vec4(kFaintPatch, kFaintRay, kForesight, 0);
+    mParams.faint = vec4(kFaintPatch, kFaintRay, kForesight, kFaintPart);
     mParams.time.y = static_cast<float>(kReach);
     mParams.detail = vec4(kRays, 1.001 * kPatchEdge, kLeastEdge, 0);
 }

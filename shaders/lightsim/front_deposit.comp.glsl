@@ -188,7 +188,7 @@ uint cutOf(vec2 edges, vec2 angles, bool single, float flux) {
 // was before the step, or would be within reach, as at a light.
 uint partedBy(Sweep sweep, vec2 angles, float flux) {
     vec2 edges = edgesOf(sweep.start) + params.time.y * angles;
-    bool large = max(edges.x, edges.y) > params.detail.z && flux > params.faint.y / 64.0;
+    bool large = max(edges.x, edges.y) > params.detail.z && flux > 0.5 * params.faint.x;
     return large && params.list.w != 0u ? kFrontQuarters : kFrontThins;
 }
 
@@ -263,14 +263,16 @@ uint scatter(uint first, FrontHit hit[4], inout FrontPatch part, inout FrontBook
         book(books.dim, tinted);
         comesBack = false;
     }
+    if (goes && comesBack && (mostOf(part.flux.xyz) < params.faint.w || params.list.w == 0u)) {
+        bool stronger = mostOf(onward) >= mostOf(tinted); // too faint to part: all goes that way
+        goes = stronger;
+        comesBack = !stronger;
+        onward += tinted;
+        tinted = onward;
+    }
     part.state.zw = hit[0].end.state.yz;
     part.flux.xyz = goes ? onward : vec3(0.0);
     part.back.xyz = comesBack ? tinted : vec3(0.0);
-    if (goes && comesBack && params.list.w == 0u) { // no room for another one
-        book(books.dim, mirrored.x < 0.5 * all.x ? tinted : onward);
-        goes = mirrored.x < 0.5 * all.x;
-        comesBack = !goes;
-    }
     return goes && comesBack ? kFrontParts : goes ? kFrontGoes : comesBack ? kFrontBack : kFrontEnds;
 }
 

@@ -53,7 +53,8 @@ struct FrontParams {
                   // dropped, z: fixed-point unit of one voxel's length at weight 1, w: the same of
                   // the flux that is left
     vec4 faint;   // x: flux of a patch below which it does not split for its size, y: that a ray has
-                  // at least, z: how far ahead its edges are looked at [voxel]
+                  // at least, z: how far ahead its edges are looked at [voxel],
+                  // w: below which a patch does not part at an interface but goes the stronger way
     vec4 colour;  // as PhotonParams::colour
     vec4 time;    // x: the front's clock after this step, y: how far ahead corners look for boundaries
                   // [voxel of optical path], z: 1 if the light is in the domain

@@ -14,3 +14,6 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})
+
+eikonal_run(lightsim_fronts COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/fronts_test.sh
+                                     ${CMAKE_BINARY_DIR})
