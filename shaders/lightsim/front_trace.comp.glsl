@@ -40,7 +40,7 @@ struct Flight {
     float clock;
     vec3 absorbed;  // optical depths of this step
     vec3 scattered;
-    float extent;   // of its way within the domain [voxel]
+    float extent;   // of the way that these are of [voxel]
     Hit ahead;      // of a straight way: what is met; `s` is how far it is known
 };
 
@@ -113,6 +113,7 @@ void leave(inout Flight flight, float until) {
     dim(flight, flight.path.ray.x, flight.path.ray.w / n, way, n);
     flight.path.ray.x += (way / n) * flight.path.ray.w;
     flight.clock += n * way;
+    flight.extent += way;
 }
 
 // How far a corner may fly straight before the medium is looked up again [voxel].
@@ -143,7 +144,7 @@ void flyStraight(inout Flight flight, int region, float until, float reach) {
     dim(flight, start, direction, way, n);
     flight.path.ray.x = start + way * direction;
     flight.clock += n * way;
-    flight.extent += within;
+    flight.extent += way;
     flight.ahead.s -= way;
     if (way > 0.0) flight.path.departs = 0.0;
     stopAtVoxels(flight, start, start + within * direction);

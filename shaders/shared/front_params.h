@@ -23,7 +23,7 @@ struct FrontPatch {
 
 // What a medium did to a corner in a step.
 struct FrontDepth {
-    vec4 absorbed;  // optical depth by absorption; w: length within the domain [voxel]
+    vec4 absorbed;  // optical depth by absorption; w: length of the way [voxel]
     vec4 scattered; // the same by scattering
 };
 

@@ -146,6 +146,21 @@ TEST(LightFronts, AbsorptionFollowsBeerAndLambert) {
     }
 }
 
+TEST(LightFronts, WhatLeavesAtTheSidesIsNotAbsorbed) {
+    TestVolume scene(ivec3(16));
+    scene.constantVector("absorption", dvec3(0.02));
+    const Light light = beam({0.3, -1, 0.2});
+    const Lit fronts(scene.volume(), frontsOf({light}));
+    const Lit photons(scene.volume(), paramsOf({light}, 1 << 15));
+    const auto absorbed = [](const Lit& lit) {
+        return lit.stats.energy.absorbed[0] / lit.stats.energy.entered[0];
+    };
+    // The outline is cut to eighths of a voxel, and patches leave as a whole.
+    EXPECT_NEAR(absorbed(fronts), absorbed(photons), 0.01 * absorbed(photons));
+    EXPECT_NEAR(0.02 * fronts.total(), fronts.stats.energy.absorbed[0],
+                1e-3 * fronts.stats.energy.absorbed[0]);
+}
+
 TEST(LightFronts, AnOpaqueBlockTakesWhatHitsItAndThrowsAShadow) {
     TestVolume scene({16, 16, 16});
     scene.add("opacity", [](dvec3 p) {
