@@ -31,5 +31,12 @@ test_fronts_are_meshes() {
     rm -rf fronts again out.vdb out2.vdb
 }
 
+test_hundreds_of_fronts() {
+    make_volume long.vdb size=16 voxel=0.1 ior constant:1 scattering constant:0.1,0.2,0.3
+    expect 0 lightsim long.vdb $sun -o out.vdb --method wavefront --step 0.1 --dump-fronts fronts --quiet
+    [ "$(ls fronts | wc -l)" -gt 100 ] || fail "only $(ls fronts | wc -l) fronts"
+    rm -rf fronts out.vdb long.vdb
+}
+
 make_volume in.vdb size=16 voxel=0.1 ior sphere:0.5:1.5:1:all scattering constant:0.1,0.2,0.3 || exit 2
 run_tests

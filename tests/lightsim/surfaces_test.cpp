@@ -140,6 +140,22 @@ TEST(LightSurfaces, WideBeamsDoNotBendAroundEdges) {
     EXPECT_GE(onSide, 19 * 19 * 4);
 }
 
+TEST(LightSurfaces, LongStepsDoNotPassThinPlates) {
+    // Blurred, an index that varies elsewhere: through the even rest steps are as long as the
+    // octree allows, longer than the plate is thick.
+    TestVolume scene{ivec3(48)};
+    scene.index([](dvec3 p) { return 1 + 0.2 * std::exp(-0.1 * glm::dot(p - 8.0, p - 8.0)); });
+    scene.add("opacity", [](dvec3 p) { return std::abs(p.y - 20) < 1.5 ? 1.0 : 0.0; });
+    Params params = onSurfaces(beam({0.1, -1, 0.05}), 1, 1 << 12);
+    params.method = Method::beams;
+    const Lit beams(scene.volume(), params);
+    params.method = Method::photons;
+    const Lit photons(scene.volume(), params);
+    // What passes beside the plate leaves through the sides above it.
+    EXPECT_NEAR(beams.stats.energy.absorbed[0], photons.stats.energy.absorbed[0],
+                0.02 * photons.stats.energy.absorbed[0]);
+}
+
 TEST(LightSurfaces, AThinWallLetsNoLightThrough) {
     // Two voxels thick, slanting, lit from above.
     const dvec3 normal = glm::normalize(dvec3(0.4, 1, 0.2));

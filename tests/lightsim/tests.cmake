@@ -9,8 +9,11 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "LightPoints.FlowIs*" "LightPoints.BeamsToOther*"
                                           "LightSurfaces.WideBeams*" "LightSurfaces.WhatAbsorbs*"
                                           "LightReceiving.WhatPictures*" "LightLens.Orbits*"
-                                          "LightFronts.ABlurredBalls*" "LightFronts.ASharpBalls*"
-                                          "LightFronts.ASecondRun*")
+                                          "Lights.ASphere*" "Lights.AnEven*" "Lights.ADisc*" "Lights.Apart*"
+                                          "LightBounces.Glass*" "LightBounces.Add*" "LightBounces.AClosed*"
+                                          "LightFronts.ASharpBalls*" "LightFronts.ABlurredBalls*"
+                                          "LightFronts.ASecondRun*" "LightFronts.Surfaces*"
+                                          "LightFronts.AnOpaque*" "LightPoints.GetWhat*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})
