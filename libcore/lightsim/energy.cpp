@@ -16,6 +16,15 @@ constexpr unsigned kItems = 1024;
 constexpr const char* kDropped[] = {"light_dropped_by_depth", "light_dropped_by_steps",
                                     "light_dropped_by_thinning", "light_dropped_as_dim"};
 
+double meanOf(const Energy::Rgb& rgb) {
+    return (rgb[0] + rgb[1] + rgb[2]) / 3;
+}
+
+double shareOf(const Stats& stats, double power) {
+    const double entered = meanOf(stats.energy.entered);
+    return entered > 0 ? power / entered : 0;
+}
+
 } // namespace
 
 EnergyMeter::EnergyMeter(gpu::Device& device)
@@ -39,6 +48,7 @@ BatchEnergy EnergyMeter::sum(const scene::Transport& transport, const Photons& p
         batch.remaining += dvec3(sum.remaining);
         batch.error = std::max(batch.error, static_cast<double>(sum.remaining.w));
         batch.absorbed += dvec3(sum.absorbed);
+        batch.left += static_cast<double>(sum.absorbed.w);
         batch.scattered += dvec3(sum.scattered);
         batch.escaped += dvec3(sum.escaped);
         batch.dropped += glm::dvec4(sum.dropped);
@@ -91,10 +101,16 @@ glm::dvec4 droppedPower(const Unit& unit, const BatchEnergy& done) {
     return done.dropped * (unit.power * (unit.rgb.x + unit.rgb.y + unit.rgb.z) / 3);
 }
 
+double leftPower(const Unit& unit, const BatchEnergy& done) {
+    return done.left * unit.power * (unit.rgb.x + unit.rgb.y + unit.rgb.z) / 3;
+}
+
 void tellDropped(Stats& stats, const glm::dvec4& power) {
-    const Energy::Rgb& entered = stats.energy.entered;
-    const double mean = (entered[0] + entered[1] + entered[2]) / 3;
-    for (int i = 0; i < 4; ++i) stats.count(kDropped[i], mean > 0 ? power[i] / mean : 0);
+    for (int i = 0; i < 4; ++i) stats.count(kDropped[i], shareOf(stats, power[i]));
+}
+
+void tellLeft(Stats& stats, double power) {
+    stats.count("light_left_after_bounces", shareOf(stats, power));
 }
 
 } // namespace eikonal::lightsim

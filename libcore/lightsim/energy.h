@@ -14,6 +14,7 @@ struct BatchEnergy {
     glm::dvec3 remaining{0}, absorbed{0}, scattered{0}, escaped{0};
     std::array<double, 4> counts{}; ///< photons, steps, deposits, trapped
     glm::dvec4 dropped{0};          ///< weight: by depth, by steps, by thinning, as dim
+    double left = 0;                ///< weight that one more bounce would send on, mean of rgb
     double error = 0;               ///< the largest, estimated [voxel]
 };
 
@@ -41,7 +42,11 @@ glm::dvec4 book(Stats& stats, const Plan& plan, const Unit& unit, const BeamEner
 /// of BatchEnergy::dropped.
 glm::dvec4 droppedPower(const Unit& unit, const BatchEnergy& done);
 
+/// Power that surfaces took at the last bounce, which one more would send on [W], the mean of rgb.
+double leftPower(const Unit& unit, const BatchEnergy& done);
+
 /// Counts such power of all batches as shares of what has entered (`light_dropped_by_depth` ...).
 void tellDropped(Stats& stats, const glm::dvec4& power);
+void tellLeft(Stats& stats, double power);
 
 } // namespace eikonal::lightsim

@@ -47,6 +47,7 @@ struct Run {
     Photons photons{};
     unsigned batches = 0;  ///< begun so far
     glm::dvec4 dropped{0}; ///< power, see droppedPower()
+    double left = 0;       ///< the same, see leftPower()
 
     template<typename Work> auto pass(const char* name, const Work& work) {
         return timed(profiler, name, work);
@@ -110,7 +111,7 @@ std::uint32_t trace(Run& run, bool bounced, std::uint32_t emitted, double unit,
                     const Progress& progress) {
     const auto few = static_cast<std::uint32_t>(run.params.thinTo * emitted);
     std::uint32_t count = emitted;
-    run.receivers.bind(bounced);
+    run.receivers.bind();
     PhotonTracer& tracer = bounced ? *run.bouncer : *run.tracer;
     while (count > few) {
         count =
@@ -135,6 +136,7 @@ bool send(Run& run, const Batch& batch, bool bounced, double unit, const Progres
     if (bounced || run.plan.bounces == 0) { // else those that follow it book the same light
         book(run.stats, run.plan, batch.unit, before, after);
         run.dropped += droppedPower(batch.unit, after);
+        run.left += leftPower(batch.unit, after);
     }
     if (run.plan.bends && run.params.tracing.integrator == optics::Integrator::adaptive)
         run.stats.raise("position_error_voxels", after.error);
@@ -225,7 +227,7 @@ void sendBeams(Run& run, const Source& source, size_t sources, const Progress& p
 /// A part of a wavefront with this fixed-point unit. Returns whether every sum held it.
 bool sendFront(Run& run, const FrontBatch& front, const Unit& of, double unit,
                const Progress& progress) {
-    run.receivers.bind(false);
+    run.receivers.bind();
     BatchEnergy before, after;
     before.remaining = glm::dvec3(front.flux);
     if (!run.fronts->carry(run.device, run.transport, run.media, front, unit, after, run.profiler,
@@ -335,6 +337,7 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
             run.receivers = Receivers(device, plan, params, run.transport, run.media, profiler);
     }
     tellDropped(stats, run.dropped);
+    if (plan.bounces > 0) tellLeft(stats, run.left);
     profiler.collect();
     Result result = apart ? std::move(sum) : run.receivers.finish(device, plan, params, stats);
     report(progress, 1.0);

@@ -210,10 +210,6 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (plan.attenuates && !plan.scene.sharp)
         needs.push_back(
             scene::voxelNeed(plan.scene.layout, "the coefficients", plan.colour ? 32 : 8));
-    if (plan.bounces > 0) {
-        const auto voxelsOfSurface = static_cast<std::int64_t>(plan.surfaces.voxels.size());
-        needs.push_back({"what bounces to surfaces", 60 * voxelsOfSurface, true, 0});
-    }
     if (!plan.sendsPhotons()) return needs;
     const std::int64_t pixels =
         params.photons > 0 ? std::min<std::int64_t>(params.photons, kBatchPixels) : kBatchPixels;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lightsim/receivers.h"
 
+#include <algorithm>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace eikonal::lightsim {
@@ -13,10 +15,16 @@ using glm::vec3;
 /// What bounces falls on fine voxels, too.
 void addSoft(volume::FineGrid& irradiance, const std::vector<vec3>& normals,
              const SoftLight& soft) {
-    tbb::parallel_for(size_t{0}, irradiance.voxels.size(), [&](size_t i) {
-        const vec3 x =
-            (vec3(irradiance.voxels[i]) + 0.5F) / static_cast<float>(irradiance.detail) - 0.5F;
-        irradiance.values[i] += soft.at(x, normals[i]).irradiance;
+    const auto edge = static_cast<float>(irradiance.detail);
+    const tbb::blocked_range<size_t> all(0, irradiance.voxels.size());
+    tbb::parallel_for(all, [&](const tbb::blocked_range<size_t>& some) {
+        SoftLight::Near near; // of a voxel of the domain: its fine ones follow one another
+        for (size_t i = some.begin(); i < some.end(); ++i) {
+            const glm::ivec3 voxel = irradiance.voxels[i] / irradiance.detail;
+            if (near.empty() || near.voxel != voxel) near = soft.near(voxel);
+            const vec3 x = (vec3(irradiance.voxels[i]) + 0.5F) / edge - 0.5F;
+            irradiance.values[i] += SoftLight::at(near, x, normals[i]).irradiance;
+        }
     });
 }
 
@@ -24,46 +32,49 @@ void addSoft(volume::FineGrid& irradiance, const std::vector<vec3>& normals,
 
 Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params,
                      const scene::Transport& transport, const Media& media, gpu::Profiler& profiler)
-    : mPhotonsLand(!plan.beams) {
+    : mPhotonsLand(!plan.beams), mBounces(plan.bounces > 0) {
     if (plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
     if (!plan.surfaces.empty())
         mSurfaces.emplace(device, plan, plan.surfaces, transport, media, profiler);
-    if (plan.bounces > 0)
-        mBounced.emplace(device, plan, OpaqueSurfaces{plan.surfaces.voxels, 1}, transport, media,
-                         profiler);
 }
 
-void Receivers::bind(bool bounced) const {
+void Receivers::bind() const {
     if (mVoxels) mVoxels->bind();
-    if (bounced)
-        mBounced->bind();
-    else if (mSurfaces)
-        mSurfaces->bind();
+    if (mSurfaces) mSurfaces->bind();
 }
 
 void Receivers::clear() {
     if (mVoxels) mVoxels->clearPlanes();
     if (mSurfaces) mSurfaces->clearSums();
-    if (mBounced) mBounced->clearSums();
 }
 
 void Receivers::resolve(gpu::Device& device, const Unit& of, double unit, bool bounced) {
     if (mVoxels) mVoxels->resolve(device, of.rgb, of.power, unit);
+    if (mSurfaces && (bounced || mPhotonsLand))
+        mSurfaces->collect(device, of.rgb, of.power, unit, bounced);
     if (bounced)
-        mBounced->collect(device, of.rgb, of.power, unit);
-    else if (mSurfaces && mPhotonsLand)
-        mSurfaces->collect(device, of.rgb, of.power, unit);
+        mPhotonPower = std::max(mPhotonPower, of.power * (of.rgb.x + of.rgb.y + of.rgb.z) / 3);
+}
+
+SoftLight Receivers::takeBounced(const Plan& plan) {
+    const double edge = plan.scene.voxelSize();
+    return {plan.scene.size(), mSurfaces->takeBounced(), mPhotonPower / (edge * edge)};
 }
 
 void Receivers::readPoints(gpu::Device& device, const Plan& plan) {
     std::vector<LightAtPoint> lights =
         mSurfaces->readPoints(device, plan.points, plan.scene.worldFromVoxelTurn());
-    if (mBounced) {
-        const SoftLight soft(plan.scene.size(), mBounced->takePatches());
+    if (mBounces) {
+        const SoftLight soft = takeBounced(plan);
         const glm::mat3 turn(plan.scene.worldFromVoxelTurn());
         for (size_t i = 0; i < lights.size(); ++i) {
             if (plan.points[i].normal == vec3(0)) continue;
-            const LightAtPoint more = soft.at(plan.points[i].place, plan.points[i].normal);
+            const vec3 x = plan.points[i].place;
+            // Far off the domain nothing is near; as floats, whole numbers may not hold it.
+            const vec3 voxel =
+                glm::clamp(glm::floor(x + 0.5F), vec3(-9), vec3(plan.scene.size()) + 9.0F);
+            const LightAtPoint more =
+                SoftLight::at(soft.near(glm::ivec3(voxel)), x, plan.points[i].normal);
             lights[i].irradiance += more.irradiance;
             lights[i].flow += turn * more.flow;
         }
@@ -84,9 +95,7 @@ Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& pa
     if (mVoxels) result = mVoxels->download(plan);
     if (mSurfaces && plan.points.empty()) {
         result.irradiance = mSurfaces->finish(device);
-        if (mBounced)
-            addSoft(result.irradiance, mSurfaces->normals(),
-                    SoftLight(plan.scene.size(), mBounced->takePatches()));
+        if (mBounces) addSoft(result.irradiance, mSurfaces->normals(), takeBounced(plan));
     }
     if (mSurfaces && !plan.points.empty() && !params.lightsApart) readPoints(device, plan);
     result.points = std::move(mPoints);

@@ -16,8 +16,8 @@ public:
     Receivers(gpu::Device& device, const Plan& plan, const Params& params,
               const scene::Transport& transport, const Media& media, gpu::Profiler& profiler);
 
-    /// Before photons are traced; bounced ones land on surfaces of their own.
-    void bind(bool bounced) const;
+    /// Before photons are traced.
+    void bind() const;
     /// Forgets what the last batch left.
     void clear();
     /// Takes up what a batch left. A photon of weight 1 has that power, `unit` of fixed point
@@ -30,11 +30,14 @@ public:
     Result finish(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats);
 
 private:
+    SoftLight takeBounced(const Plan& plan);
+
     std::optional<VoxelReceiver> mVoxels;
     std::optional<SurfaceReceiver> mSurfaces;
-    std::optional<SurfaceReceiver> mBounced; ///< voxels of the domain that receive what bounces
     std::vector<std::vector<LightAtPoint>> mPoints;
-    bool mPhotonsLand; ///< on surfaces; else beams do
+    bool mPhotonsLand;       ///< on surfaces; else beams do
+    bool mBounces;           ///< surfaces send light on
+    double mPhotonPower = 0; ///< of the brightest photon that may have bounced [W], the mean of rgb
 };
 
 } // namespace eikonal::lightsim

@@ -99,6 +99,11 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
     mPower = gpu::Texture(device, rowsFor(mVoxels.count, mStored + flow), gpu::TexelFormat::r32f,
                           gpu::Filter::nearest);
     mPower.clear();
+    if (plan.bounces > 0) {
+        mBounced =
+            gpu::Texture(device, mPower.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);
+        mBounced.clear();
+    }
     clearSums();
 }
 
@@ -115,15 +120,15 @@ void SurfaceReceiver::clearSums() {
     mSums.clear();
 }
 
-void SurfaceReceiver::collect(gpu::Device& device, const glm::dvec3& rgb, double power,
-                              double unit) {
+void SurfaceReceiver::collect(gpu::Device& device, const glm::dvec3& rgb, double power, double unit,
+                              bool bounced) {
     LayoutParams values{};
     values.list.z = static_cast<int>(mVoxels.count);
     values.weight = vec4(rgb * (power / unit), (rgb.x + rgb.y + rgb.z) / 3 * (power / unit));
     mBlock.upload(&values, sizeof values);
     mBlock.bindUniform(kParamsBlock);
     bind();
-    mPower.bindImage(kSurfacePowerImage);
+    (bounced ? mBounced : mPower).bindImage(kSurfacePowerImage);
     dispatchList(mCollect, mVoxels.count);
     device.check("collecting light on surfaces");
     clearSums();
@@ -187,23 +192,24 @@ std::vector<glm::vec3> SurfaceReceiver::normals() const {
     return normals;
 }
 
-std::vector<SurfacePatch> SurfaceReceiver::takePatches() {
+std::vector<SurfacePatch> SurfaceReceiver::takeBounced() {
     const auto count = static_cast<size_t>(mVoxels.count);
     std::vector<glm::uvec2> areas(count);
     mAreas.download(areas.data(), mVoxels.count * 8);
-    const ivec3 rows = mPower.size();
+    const ivec3 rows = mBounced.size();
     std::vector<float> stored(static_cast<size_t>(rows.x) * rows.y * rows.z);
-    mPower.download(stored.data(), mPower.bytes());
-    mPower.clear();
-    std::vector<SurfacePatch> patches(count);
+    mBounced.download(stored.data(), mBounced.bytes());
+    mBounced.clear();
+    std::vector<SurfacePatch> patches;
     mVoxels.forEach([&](std::uint32_t i, const ivec3& fine) {
         const auto plane = [&](int k) { return stored[i + static_cast<size_t>(k) * count]; };
-        SurfacePatch& patch = patches[i];
-        patch.voxel = fine;
-        for (int c = 0; c < 3; ++c) patch.power[c] = plane(std::min(c, mStored - 1));
-        for (int c = 0; c < 3 && mFlow; ++c) patch.flow[c] = plane(mStored + c);
-        patch.normal = glm::vec3(glm::unpackSnorm4x8(areas[i].y));
-        patch.area = glm::uintBitsToFloat(areas[i].x) * static_cast<float>(mVoxelSize * mVoxelSize);
+        SurfacePatch part;
+        part.voxel = fine / mVoxels.detail;
+        for (int c = 0; c < 3; ++c) part.power[c] = plane(std::min(c, mStored - 1));
+        for (int c = 0; c < 3 && mFlow; ++c) part.flow[c] = plane(mStored + c);
+        part.normal = glm::vec3(glm::unpackSnorm4x8(areas[i].y));
+        part.area = glm::uintBitsToFloat(areas[i].x) * static_cast<float>(mVoxelSize * mVoxelSize);
+        gather(patches, part);
     });
     return patches;
 }
@@ -221,8 +227,9 @@ std::vector<gpu::Need> surfaceNeeds(const Plan& plan) {
     const int flow = plan.sumsFlow() ? 3 : 0;
     needs.push_back(
         {"what falls on surfaces", 4 * count * (plan.tracedChannels() + flow), true, 0});
-    needs.push_back(
-        {"the light on surfaces", 4 * count * (plan.fluenceChannels() + flow) * 2, false, 0});
+    needs.push_back({"the light on surfaces",
+                     4 * count * (plan.fluenceChannels() + flow) * (plan.bounces > 0 ? 3 : 2),
+                     false, 0});
     return needs;
 }
 

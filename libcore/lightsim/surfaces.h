@@ -30,9 +30,10 @@ public:
     /// For points: which bricks hold surface voxels at all.
     void bindReceiving() const;
     void clearSums();
-    /// Adds what the sums hold to the power, and clears them. `rgb` is the light's, `unit` of fixed
-    /// point stands for `power` of it [m² or sr].
-    void collect(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
+    /// Adds what the sums hold to the power, or to that of what bounces, and clears them. `rgb` is
+    /// the light's, `unit` of fixed point stands for `power` of it [m² or sr].
+    void collect(gpu::Device& device, const glm::dvec3& rgb, double power, double unit,
+                 bool bounced = false);
     /// Power over area, after which nothing more is received.
     volume::FineGrid finish(gpu::Device& device);
     /// The light of points, flow turned to the world; what comes after is summed anew.
@@ -40,9 +41,9 @@ public:
                                          const std::vector<PointOnSurface>& points,
                                          const glm::dmat3& turn);
 
-    /// What each surface voxel has, numbered as finish() does; what comes after is summed anew.
-    std::vector<SurfacePatch> takePatches();
-    /// Of each, in voxel space.
+    /// What bounces, by the domain's voxels; what comes after is summed anew.
+    std::vector<SurfacePatch> takeBounced();
+    /// Of each surface voxel, numbered as finish() does, in voxel space.
     std::vector<glm::vec3> normals() const;
 
     std::int64_t count() const { return mVoxels.count; }
@@ -55,7 +56,7 @@ private:
     scene::SurfaceTable mTable;
     gpu::Program mCollect, mIrradiance;
     gpu::Buffer mBlock, mList, mAreas, mReceiving, mSums;
-    gpu::Texture mPower;
+    gpu::Texture mPower, mBounced; ///< [W]
     std::optional<PointReader> mReader;
     int mChannels = 1, mStored = 1;
     bool mFlow = false; ///< flow is summed, too

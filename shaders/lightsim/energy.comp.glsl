@@ -20,11 +20,13 @@ void main() {
         Photon photon = photons[id];
         int status = int(photon.count.x);
         if (status == kNone) continue;
-        vec4 weight = vec4(photon.weight.xyz, 0.0);
+        // What opaque material has taken: the weight is that of what one more bounce would send on.
+        bool stopped = status == kStopped;
+        vec4 weight = stopped ? vec4(0.0) : vec4(photon.weight.xyz, 0.0);
         uint steps = photon.count.y & kStepBits;
         sum.remaining = vec4(sum.remaining.xyz + weight.xyz,
                              max(sum.remaining.w, errorOf(photon.wave.w, int(steps))));
-        sum.absorbed += vec4(photon.absorbed.xyz, 0.0);
+        sum.absorbed += vec4(photon.absorbed.xyz, stopped ? dot(photon.weight.xyz, vec3(1.0 / 3.0)) : 0.0);
         sum.scattered += vec4(photon.scattered.xyz, 0.0);
         if (status == kLeft) sum.escaped += weight;
         float mean = dot(weight.xyz, vec3(1.0 / 3.0));

@@ -200,7 +200,11 @@ void main() {
 #endif
     if ((kOpaqueVoxels || kOpaqueObjects) && path.status == kStopped) {
         load.absorbed += path.throughput; // opaque material takes what arrives
+#if BOUNCES == 1
+        path.throughput = leftOver(path, load); // told apart by its status
+#else
         path.throughput = vec3(0.0);
+#endif
     }
     keep(path, load);
 }

@@ -46,17 +46,18 @@ struct ResolveParams {
 struct Photon {
     vec4 place;     // x [voxel]; w: how steeply it leaves the interface it is on, 0: on none
     vec4 wave;      // w = n dx/ds; w: adaptive, its error so far, estimated [voxel]
-    vec4 weight;    // what is left of its power, rgb or the first alone; w: the rounding phase
+    vec4 weight;    // what is left of its power, rgb or the first alone, of one that opaque material has taken what
+                    // one more bounce would send on; w: the rounding phase
     vec4 absorbed;  // weight absorbed so far; w: decides which way it goes, in (0, 1)
     vec4 scattered; // weight scattered so far; w: what share of that number's digits is left
-    uvec4 count;    // x: its status (kNone...), y: steps, and from bit 24 on bounces, z: deposits, w: of few objects those it
-                    // is in, a bit each, and from bit 16 on the interfaces it has met
+    uvec4 count;    // x: its status (kNone...), y: steps, and from bit 24 on bounces, z: deposits, w: of few
+                    // objects those it is in, a bit each, and from bit 16 on the interfaces it has met
 };
 
 // A batch's energy in weights and numbers, summed up by a work item.
 struct EnergySum {
     vec4 remaining; // weight in the photons, whatever their status; w: the largest error [voxel]
-    vec4 absorbed;
+    vec4 absorbed;  // w: the mean of rgb of what of it surfaces would send on if they still did
     vec4 scattered;
     vec4 escaped;
     vec4 dropped; // mean of rgb, of photons that: x: met too many interfaces, y: used up their steps,
