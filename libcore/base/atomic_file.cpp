@@ -28,7 +28,8 @@ struct TemporarySlot {
     std::atomic<bool> used{false};
     char path[4096] = {};
 };
-std::array<TemporarySlot, 64> temporaries;
+// A front of a light and more may be written for each step of time; unused ones are never touched.
+std::array<TemporarySlot, 2048> temporaries;
 
 int claimSlot(const std::string& path) {
     for (size_t i = 0; i < temporaries.size(); ++i) {

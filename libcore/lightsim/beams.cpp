@@ -119,7 +119,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mBeamError(params.beamError), mSeed(params.seed),
+      mMapCells(cellsOf(params)), mSeed(params.seed),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -130,7 +130,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     }
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
-    mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, 0);
+    mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
     mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays));
     mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
     mParams.right.w = static_cast<float>(params.shadowCull);
@@ -171,14 +171,15 @@ std::vector<Window> Beams::windowsOf(const Source& source, size_t sources) const
         for (const glm::dvec4& aim : aimsIn(window)) aimed += (aim.z - aim.x) * (aim.w - aim.y);
     }
     if (area == 0) return {};
-    // Of all cells each of the sources has its part.
+    // Sources of a light have fewer cells each, and more in all: errors of beams that overlap even
+    // out.
     const double share = std::clamp(aimed / area, kLeastAim, 1.0);
-    const auto count = static_cast<double>(sources);
+    const double fewer = std::sqrt(static_cast<double>(sources));
     const auto spread = [&](std::int64_t cells) {
-        return static_cast<std::int64_t>(std::ceil(static_cast<double>(cells) / (share * count)));
+        return static_cast<std::int64_t>(std::ceil(static_cast<double>(cells) / (share * fewer)));
     };
     std::vector<Window> windows =
-        all({spread(mMapCells), kCellEdge * std::sqrt(count), spread(kMostCells)});
+        all({spread(mMapCells), kCellEdge * std::sqrt(fewer), spread(kMostCells)});
     for (Window& window : windows) {
         ivec2 starting = (window.pixels + kStart - 1) / kStart;
         if (window.point)
@@ -428,9 +429,7 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     return true;
 }
 
-void Beams::begin(const glm::dvec3& colour, size_t sources) {
-    // Where beams of many sources overlap, their errors even out.
-    mParams.limits.w = static_cast<float>(mBeamError * std::sqrt(static_cast<double>(sources)));
+void Beams::begin(const glm::dvec3& colour) {
     mParams.map = vec4(0, colour);
 }
 

@@ -34,8 +34,8 @@ public:
     };
     static std::vector<Batch> batchesOf(const Window& window);
 
-    /// Before the batches of a source, one of so many of a light: its RGB over their sum.
-    void begin(const glm::dvec3& colour, size_t sources);
+    /// Before a source's batches: its RGB over their sum.
+    void begin(const glm::dvec3& colour);
 
     /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a
     /// cell. Returns whether every sum held it, and what became of the power [cells].
@@ -61,7 +61,6 @@ private:
     BeamParams mParams{};
     VoxelBox mDomain;
     std::int64_t mMapCells; ///< where the map is aimed at; 0: as many as is worth it
-    double mBeamError;
     std::uint32_t mSeed;
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple

@@ -6,6 +6,7 @@
 #include "lightsim/beams.h"
 #include "lightsim/emission.h"
 #include "lightsim/energy.h"
+#include "lightsim/fronts.h"
 #include "lightsim/octree.h"
 #include "lightsim/photons.h"
 #include "lightsim/receivers.h"
@@ -42,6 +43,7 @@ struct Run {
     std::optional<PhotonTracer> tracer, bouncer; ///< of light as it comes, and reflected
     std::optional<EnergyMeter> meter;
     std::optional<Beams> beams;
+    std::optional<Fronts> fronts;
     Photons photons{};
     unsigned batches = 0;  ///< begun so far
     glm::dvec4 dropped{0}; ///< power, see droppedPower()
@@ -90,6 +92,7 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
                 {},
                 {},
                 {},
+                {},
                 {}};
         if (plan.sendsPhotons()) {
             run.emission.emplace(device, plan, params);
@@ -98,6 +101,7 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
         if (plan.photons) run.tracer.emplace(device, plan, params, false);
         if (plan.bounces > 0) run.bouncer.emplace(device, plan, params, true);
         if (plan.beams) run.beams.emplace(device, plan, params);
+        if (plan.wavefront) run.fronts.emplace(device, plan, params);
         return run;
     });
 }
@@ -194,7 +198,8 @@ void sendBeams(Run& run, const Window& window, const Beams::Batch& batch, const 
                 surfaces.collect(run.device, of.rgb, of.power, unit);
                 return 0;
             });
-            if (!run.plan.sendsPhotons()) run.dropped += book(run.stats, run.plan, of, energy);
+            if (!run.plan.receivesInVolume() && !run.plan.sendsPhotons())
+                run.dropped += book(run.stats, run.plan, of, energy);
             return;
         }
         run.stats.count("batches_run_again", 1);
@@ -207,7 +212,7 @@ void sendBeams(Run& run, const Window& window, const Beams::Batch& batch, const 
 void sendBeams(Run& run, const Source& source, size_t sources, const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
     const std::vector<Window> windows = run.beams->windowsOf(source, sources);
-    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z), sources);
+    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z));
     for (size_t w = 0; w < windows.size(); ++w) {
         const Unit unit{source.rgb, windows[w].pixelArea() * (source.isPoint() ? 1.0 : h * h),
                         source.isPoint()};
@@ -221,13 +226,55 @@ void sendBeams(Run& run, const Source& source, size_t sources, const Progress& p
     }
 }
 
-/// All beams of a light that these stand for.
-void sendBeams(Run& run, const std::vector<Source>& sources, const Progress& progress) {
+/// A part of a wavefront with this fixed-point unit. Returns whether every sum held it.
+bool sendFront(Run& run, const FrontBatch& front, const Unit& of, double unit,
+               const Progress& progress) {
+    run.receivers.bind();
+    BatchEnergy before, after;
+    before.remaining = glm::dvec3(front.flux);
+    if (!run.fronts->carry(run.device, run.transport, run.media, front, unit, after, run.profiler,
+                           run.stats, progress))
+        return false;
+    if (run.plan.bounces == 0) {
+        book(run.stats, run.plan, of, before, after);
+        run.dropped += droppedPower(of, after);
+    }
+    run.pass("resolve", [&] {
+        run.receivers.resolve(run.device, of, unit, false);
+        return 0;
+    });
+    return true;
+}
+
+/// The wavefront of a source. Where a sum nears the end of its range a part of it is sent again
+/// with a smaller unit.
+void sendFronts(Run& run, const Source& source, const Progress& progress) {
+    const double h = run.plan.scene.voxelSize();
+    const std::vector<FrontBatch> fronts = run.fronts->batchesOf(source);
+    run.fronts->begin(source.rgb);
+    for (size_t i = 0; i < fronts.size(); ++i) {
+        const FrontBatch& front = fronts[i];
+        const Unit of{source.rgb, front.power * (front.point ? 1.0 : h * h), front.point};
+        const auto begun = static_cast<double>(i), all = static_cast<double>(fronts.size());
+        const Progress part = partOf(progress, begun / all, (begun + 1) / all);
+        const double kLeast = 1.0 / 1024;
+        double unit = unitFor(std::max(front.flux, 1.0));
+        while (unit >= kLeast && !sendFront(run, front, of, unit, part)) {
+            run.stats.count("batches_run_again", 1);
+            run.receivers.clear();
+            unit /= 16;
+        }
+        if (unit < kLeast) throw InternalError("a wavefront overflows a voxel's sum");
+    }
+}
+
+/// All of a light that these stand for, one by one.
+template<typename Send>
+void sendEach(const std::vector<Source>& sources, const Progress& progress, const Send& send) {
     const auto all = static_cast<double>(sources.size());
     for (size_t k = 0; k < sources.size(); ++k) {
         const auto begun = static_cast<double>(k);
-        sendBeams(run, sources[k], sources.size(),
-                  partOf(progress, begun / all, (begun + 1) / all));
+        send(sources[k], partOf(progress, begun / all, (begun + 1) / all));
     }
 }
 
@@ -237,20 +284,28 @@ void sendLight(Run& run, const Light& light, const Progress& progress) {
         for (size_t c = 0; c < 3; ++c)
             run.stats.energy.emitted[c] += powerOf(light)[static_cast<int>(c)];
     const auto sources = [&](Method method) {
-        const Keep keep = run.plan.receivesInVolume() && method == Method::photons
-                              ? Keep::fluence
-                              : Keep::irradiance;
+        const Keep keep = run.plan.receivesInVolume() && method != Method::beams ? Keep::fluence
+                                                                                 : Keep::irradiance;
         return sourcesOf(light, samplesFor(run.plan, run.params, light, method), keep,
                          run.plan.scene.voxelFromWorld());
     };
     const bool beams = run.plan.beams && run.receivers.surfaces().count() > 0;
-    const int passes = beams + run.plan.photons + (run.plan.bounces > 0);
+    const int passes = beams + run.plan.photons + run.plan.wavefront + (run.plan.bounces > 0);
     int done = 0;
     const auto next = [&] {
         const double begun = done++;
         return partOf(progress, begun / passes, (begun + 1) / passes);
     };
-    if (beams) sendBeams(run, sources(Method::beams), next());
+    if (beams) {
+        const std::vector<Source> all = sources(Method::beams);
+        sendEach(all, next(), [&](const Source& source, const Progress& part) {
+            sendBeams(run, source, all.size(), part);
+        });
+    }
+    if (run.plan.wavefront)
+        sendEach(
+            sources(Method::wavefront), next(),
+            [&](const Source& source, const Progress& part) { sendFronts(run, source, part); });
     if (run.plan.photons) sendPhotons(run, sources(Method::photons), false, next());
     if (run.plan.bounces > 0) sendPhotons(run, sources(Method::photons), true, next());
 }

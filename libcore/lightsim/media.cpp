@@ -72,7 +72,7 @@ Media::Media(gpu::Device& device, const Plan& plan) {
     if (plan.scene.sharp) return;
     if (plan.attenuates) absorption = makeAbsorption(device, plan);
     if (plan.attenuates && plan.colour) scattering = makeScattering(device, plan);
-    if (plan.opaque && plan.sendsPhotons()) opaque = makeOpaque(device, plan);
+    if (plan.opaque && (plan.sendsPhotons() || plan.wavefront)) opaque = makeOpaque(device, plan);
     if (!plan.surfaces.empty()) opacity = makeOpacity(device, plan);
 }
 

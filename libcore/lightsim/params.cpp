@@ -23,7 +23,8 @@ Method parseMethod(const std::string& name) {
     if (name == "auto") return Method::automatic;
     if (name == "photons") return Method::photons;
     if (name == "beams") return Method::beams;
-    throw UsageError("--method: found '" + name + "', expected auto, photons or beams");
+    if (name == "wavefront") return Method::wavefront;
+    throw UsageError("--method: found '" + name + "', expected auto, photons, beams or wavefront");
 }
 
 std::int64_t photonCount(double number) {
@@ -44,6 +45,11 @@ void Params::check() const {
         throw UsageError(
             "--outputs: found light_direction without fluence, by which --lights-apart "
             "adds up directions; expected both");
+    if (method == Method::wavefront && !proxy.empty())
+        throw UsageError("--proxy: photons start on it, and --method wavefront sends none; "
+                         "expected one of them");
+    if (seeFront && method != Method::wavefront)
+        throw UsageError("--dump-fronts: only wavefronts have fronts, expected --method wavefront");
     tracing.check("--tolerance");
     require(octreeTolerance >= 0, "--octree-tolerance", octreeTolerance, "0 or more");
     require(octreeTolerance2 >= octreeTolerance, "--octree-tolerance2", octreeTolerance2,

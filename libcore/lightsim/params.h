@@ -5,7 +5,9 @@
 #include "lightsim/lights.h"
 #include "optics/tracing.h"
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -25,9 +27,9 @@ constexpr Output operator|(Output a, Output b) {
 /// Three corners a triangle, outward, in the world [unit].
 using Triangles = std::vector<glm::dvec3>;
 
-/// How light is carried: to surfaces by beams and through volumes by photons, or all by one of
-/// them.
-enum class Method { automatic, photons, beams };
+/// How light is carried: to surfaces by beams and through volumes by photons, all by one of
+/// them, or to surfaces by beams and through volumes by wavefronts.
+enum class Method { automatic, photons, beams, wavefront };
 
 /// Throws UsageError.
 Method parseMethod(const std::string& name);
@@ -51,6 +53,16 @@ constexpr int kMostBeamLevels = 4;
 
 /// Most sources that may stand for an extended light.
 constexpr int kMostLightSamples = 1 << 14;
+
+/// A patch of a wavefront in the world.
+struct FrontQuad {
+    std::array<glm::dvec3, 4> corners; ///< one after the other round it [unit]
+    glm::dvec3 power{0};               ///< that goes through it, rgb [W]
+    bool singleRay = false;            ///< too small to have an area
+};
+
+/// Is told the front of a part of a light's map after each step of time, from 1 on.
+using FrontSink = std::function<void(int step, const std::vector<FrontQuad>& front)>;
 
 struct Params {
     Method method = Method::automatic;
@@ -79,6 +91,7 @@ struct Params {
     Points points;            ///< surfaces receive light for these alone
     bool lightsApart = false; ///< points: of each light, too
     Triangles proxy;          ///< photons start on it instead of on the domain's faces
+    FrontSink seeFront;       ///< with wavefronts
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;

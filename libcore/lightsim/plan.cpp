@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "lightsim/beams.h"
+#include "lightsim/fronts.h"
 #include "lightsim/photons.h"
 #include "lightsim/points.h"
 #include "lightsim/surfaces.h"
@@ -25,9 +26,10 @@ namespace {
 using scene::Region;
 
 // Sources that stand for an extended light, where nothing else is asked for. Many share a batch of
-// photons; each has beams of its own.
+// photons; each has beams or a front of its own.
 constexpr int kPhotonSources = 256;
 constexpr int kBeamSources = 64;
+constexpr int kFrontSources = 16;
 constexpr int kLeastSources = 8;
 
 bool isGrey(const glm::dvec3& rgb) {
@@ -98,7 +100,9 @@ void listEffects(Plan& plan, const Params& params) {
     }
     add(irradiance);
     add({"photons", plan.photons,
-         plan.photons ? "fluence is made of them" : "no volume receives light"});
+         plan.photons     ? "fluence is made of them"
+         : plan.wavefront ? "--method wavefront"
+                          : "no volume receives light"});
     add({"beams", plan.beams,
          plan.beams ? "irradiance is made of them" : "no surface receives light"});
     add({"bounces", plan.bounces > 0,
@@ -106,6 +110,9 @@ void listEffects(Plan& plan, const Params& params) {
          : params.bounces == 0   ? "--bounces 0"
          : plan.surfaces.empty() ? "no surface receives light"
                                  : "no opaque surface has an albedo"});
+    if (params.method == Method::wavefront)
+        add({"wavefront", plan.wavefront,
+             plan.wavefront ? "fluence is made of it" : "no volume receives light"});
     add(nothing(named("refraction")));
     if (sharp) add(nothing(named("curved_rays")));
     add(named("absorption"));
@@ -154,8 +161,9 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
         throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
                          " scatters light; expected auto or photons");
     plan.beams = params.method != Method::photons && !plan.surfaces.empty();
-    plan.photons =
-        plan.receivesInVolume() || (params.method == Method::photons && !plan.surfaces.empty());
+    plan.wavefront = params.method == Method::wavefront && plan.receivesInVolume();
+    plan.photons = (plan.receivesInVolume() && !plan.wavefront) ||
+                   (params.method == Method::photons && !plan.surfaces.empty());
     if (!plan.surfaces.empty() && scene.anyHas(&Region::albedo)) plan.bounces = params.bounces;
     plan.colour |= plan.bounces > 0 && scene.anyColoured({&Region::albedo});
     // Parts of an environment differ in colour, and their photons share batches.
@@ -177,6 +185,7 @@ int samplesFor(const Plan& plan, const Params& params, const Light& light, Metho
     if (!light.isExtended()) return 1;
     if (params.lightSamples > 0) return params.lightSamples;
     if (method == Method::photons) return kPhotonSources;
+    if (method == Method::wavefront) return kFrontSources;
     if (light.kind != Light::Kind::directional) return kBeamSources;
     // The widest penumbra of the domain fades by steps of a fine voxel.
     const double across = glm::length(glm::dvec3(plan.scene.size())) * plan.surfaces.detail;
@@ -196,6 +205,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (!plan.surfaces.empty()) add(surfaceNeeds(plan));
     if (!plan.points.empty()) add(pointNeeds(plan.points));
     if (plan.beams) add(beamNeeds(plan, params));
+    if (plan.wavefront) add(frontNeeds(plan, params));
     if (plan.usesOctree()) needs.push_back({"the octree", voxels / 2, false, (edge + 1) / 2});
     if (plan.attenuates && !plan.scene.sharp)
         needs.push_back(

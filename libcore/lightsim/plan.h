@@ -35,14 +35,16 @@ struct Plan {
     bool photons = false;               ///< photons are sent
     bool beams = false;                 ///< beams are
     int bounces = 0;                    ///< times that surfaces send light on, by photons
+    bool wavefront = false;             ///< wavefronts are
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
     bool wants(Output output) const {
         return (static_cast<unsigned>(outputs) & static_cast<unsigned>(output)) != 0;
     }
-    /// Whether photons step by the octree: where index or coefficients vary from place to place.
-    bool usesOctree() const { return bends || !scene.sharp; }
+    /// Whether photons or beams step by the octree: where index or coefficients vary from place to
+    /// place.
+    bool usesOctree() const { return (bends || !scene.sharp) && (sendsPhotons() || beams); }
     bool receivesInVolume() const { return wants(Output::fluence) || wants(Output::direction); }
     int tracedChannels() const { return colour ? 3 : 1; }
     int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }

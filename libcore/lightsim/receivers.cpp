@@ -25,7 +25,7 @@ void addSoft(volume::FineGrid& irradiance, const SoftLight& soft) {
 Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params,
                      const scene::Transport& transport, const Media& media, gpu::Profiler& profiler)
     : mPhotonsLand(!plan.beams), mBounces(plan.bounces > 0) {
-    if (plan.sendsPhotons() && plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
+    if (plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
     if (!plan.surfaces.empty())
         mSurfaces.emplace(device, plan, plan.surfaces, transport, media, profiler);
 }

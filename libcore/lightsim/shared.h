@@ -14,6 +14,7 @@ using glm::uvec4;
 using glm::vec4;
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
+#include "shared/front_params.h"
 #include "shared/lightsim_params.h"
 #include "shared/limits.h"
 
@@ -27,5 +28,11 @@ static_assert(sizeof(PointLight) == 32);
 static_assert(sizeof(BeamPoint) == 80);
 static_assert(sizeof(BeamNode) == 64);
 static_assert(sizeof(BeamParams) == 288);
+static_assert(sizeof(FrontParams) == 144);
+static_assert(sizeof(FrontCorner) == 64);
+static_assert(sizeof(FrontPatch) == 48);
+static_assert(sizeof(FrontDepth) == 32);
+static_assert(sizeof(FrontHit) == 160);
+static_assert(sizeof(FrontBooks) == 80);
 
 } // namespace eikonal::lightsim

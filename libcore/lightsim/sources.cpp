@@ -4,6 +4,7 @@
 
 #include "lightsim/environment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -122,6 +123,16 @@ std::vector<Source> inWorld(const Light& light, int count, Keep keep) {
 }
 
 } // namespace
+
+double shareTowards(const Source& source, const dvec3& direction) {
+    const double along = glm::dot(source.axis, direction);
+    if (source.spread == Spread::cosine) return std::max(along, 0.0);
+    if (source.spread != Spread::cone) return 1;
+    const double angle = std::atan2(glm::length(glm::cross(source.axis, direction)), along);
+    const double fades = std::max(source.outer - source.inner, 1e-6);
+    const double t = std::clamp((source.outer - angle) / fades, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
 
 std::vector<Source> sourcesOf(const Light& light, int count, Keep keep,
                               const glm::dmat4& voxelFromWorld) {

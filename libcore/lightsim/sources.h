@@ -22,6 +22,9 @@ struct Source {
     bool isPoint() const { return spread != Spread::parallel; }
 };
 
+/// The share of its intensity that a source sends in a direction; 1 of parallel rays.
+double shareTowards(const Source& source, const glm::dvec3& direction);
+
 /// What a photon, or a cell of beams, of weight 1 has: `power` [m² or sr] of a light's RGB.
 struct Unit {
     glm::dvec3 rgb{1};

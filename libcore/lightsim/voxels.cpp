@@ -172,7 +172,7 @@ Result VoxelReceiver::download(const Plan& plan) const {
             grid.page[receiving.list[slot]] = static_cast<std::int32_t>(slot);
         return grid;
     };
-    Result result{made(Output::fluence), made(Output::direction), {}};
+    Result result{made(Output::fluence), made(Output::direction), {}, {}};
     tbb::parallel_for(size_t{0}, receiving.list.size(), [&](size_t slot) {
         const ivec3 apart(1, 1, mAtlas.apart(planes));
         const ivec3 corner = scene::atPlace(mAtlas.bricks, slot) * apart * kBrick;

@@ -56,8 +56,7 @@ float stepLimit(Ray ray, float n) {
 }
 
 float pieceLimit(int region, vec3 x, vec3 direction, float n) {
-    return kOpaqueVoxels                           ? 0.5
-           : !kMedium                              ? 1.0e9
+    return !kMedium                                ? 1.0e9
            : kObjects == 0                         ? leafLimitFrom(x, direction)
            : kVaries && coefficientsVaryIn(region) ? 1.0
                                                    : 1.0e9;
@@ -71,17 +70,30 @@ void dim(inout Path path, vec3 sigma, float extent) {
     }
 }
 
+// The first point along a piece, looked for every half voxel, that is in opaque voxels; its end if none is.
+vec3 opaqueOn(Piece piece, inout Load load, out bool found) {
+    int looks = max(int(ceil(2.0 * length(piece.along))), 1);
+    vec3 at = piece.start;
+    found = false;
+    for (int i = 1; i <= looks && !found; ++i) {
+        at = piece.start + (float(i) / float(looks)) * piece.along;
+        found = opacityAt(at) > 0.5;
+        if (!found) load.clear = at;
+    }
+    return at;
+}
+
 void onPiece(inout Path path, inout Load load, Piece piece) {
     float extent = piece.extent;
+    bool stops = false;
     vec3 end = piece.start + piece.along;
-    if (kOpaqueVoxels && opacityAt(end) > 0.5) {
+    if (kOpaqueVoxels) end = opaqueOn(piece, load, stops);
+    if (stops) {
         vec3 at = opaqueBetween(load.clear, end);
         extent = max(dot(at - piece.start, piece.direction), 0.0);
         path.status = kStopped;
         path.ray.x = at;
         load.outward = opaqueNormalAt(at);
-    } else {
-        load.clear = end;
     }
     if (kMedium) {
         Extinction medium = extinctionOf(piece);

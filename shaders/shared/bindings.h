@@ -82,6 +82,20 @@ const int kSurfacePointsBuffer = 0;  // points of surfaces that are asked for th
 const int kPointLightsBuffer = 1;    // what they get
 const int kAreasBuffer = 2;          // of each surface voxel: area [face of a voxel], normal
 
+// lightsim, wavefronts: storage buffers.
+const int kFrontBeforeBuffer = 0;   // FrontCorner, four a patch, before a step
+const int kFrontAfterBuffer = 9;    // and after it
+const int kFrontPatchesBuffer = 1;  // FrontPatch
+const int kFrontDepthsBuffer = 2;   // FrontDepth, of the corners of some thousand patches
+const int kFrontHitsBuffer = 3;     // FrontHit of the same
+const int kFrontBacksBuffer = 5;    // FrontBack, four a patch
+const int kFrontBooksBuffer = 6;    // FrontBooks
+const int kFrontCountersBuffer = 7; // see front_params.h
+const int kFrontPlacesBuffer = 8;   // new patches that each patch makes; then how many are before them
+const int kFrontPackedBuffer = 11;  // front_pack.comp: FrontPatch, of those that go on
+const int kScanCountsBuffer = 0;    // scan.comp: counts, then what is before each
+const int kScanSumsBuffer = 1;      // the same of runs of them
+
 // lightsim: images of surface voxels, by rows.
 const int kSurfacePowerImage = 4; // [W]
 const int kIrradianceImage = 5;   // [W/m²]

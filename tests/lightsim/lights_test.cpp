@@ -155,15 +155,26 @@ TEST(Lights, BadSpecsAreRefused) {
 TEST(Lights, ASphereIsSeenUnderItsSolidAngle) {
     // Outside the domain, above its middle; the fluence of a sphere is its radiance times that.
     Light light = parseLight("sphere:8,30,8:6:3,2,1");
-    const Lit lit(TestVolume(ivec3(16)).constant("ior", 1).volume(), paramsOf({light}, 1 << 18));
+    const TestVolume scene = std::move(TestVolume(ivec3(16)).constant("ior", 1));
+    Params params = paramsOf({light}, 1 << 18);
+    const Lit lit(scene.volume(), params);
+    params.method = Method::wavefront;
+    params.lightSamples = 32;
+    const Lit fronts(scene.volume(), params);
     for (const ivec3& low : {ivec3(6, 2, 6), ivec3(6, 11, 6), ivec3(2, 6, 10)}) {
-        dvec3 found(0), exact(0);
+        dvec3 found(0), carried(0), exact(0);
         forEachVoxel(ivec3(4), [&](ivec3 p) {
             const double share = 6 / glm::distance(dvec3(low + p) + 0.5, light.vector);
             exact += dvec3(3, 2, 1) * (2 * kPi * (1 - std::sqrt(1 - share * share)));
-            for (int c = 0; c < 3; ++c) found[c] += lit.fluence(low + p, c);
+            for (int c = 0; c < 3; ++c) {
+                found[c] += lit.fluence(low + p, c);
+                carried[c] += fronts.fluence(low + p, c);
+            }
         });
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], exact[c], 0.01 * exact[c]);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(found[c], exact[c], 0.01 * exact[c]);
+            EXPECT_NEAR(carried[c], exact[c], 0.01 * exact[c]) << "wavefront";
+        }
     }
     // A sphere's mean cosine is what it has of the irradiance across, π sin².
     const double share = 6 / 21.5;
@@ -221,6 +232,11 @@ TEST(Lights, ASpotLightsACone) {
     Params params = onFloor(parseLight("spot:16,14.3,16:0.3,-1,0:20"));
     params.method = Method::photons;
     const Lit photons(scene.volume(), params);
+    // By wavefronts its light crosses empty space.
+    Params front = paramsOf(params.lights, 1 << 12);
+    front.method = Method::wavefront;
+    const Lit carried(TestVolume(ivec3(32)).constant("ior", 1).volume(), front);
+    EXPECT_NEAR(carried.stats.energy.entered[0], 2 * kPi * (1 - std::cos(20 * kPi / 180)), 0.01);
     const double cap = 2 * kPi * (1 - std::cos(20 * kPi / 180));
     EXPECT_NEAR(photons.stats.energy.emitted[0], cap, 1e-9);
     EXPECT_NEAR(photons.stats.energy.absorbed[0], cap, 5e-3 * cap);

@@ -4,6 +4,7 @@
 #include "support/glass_volume.h"
 #include "support/lit.h"
 
+#include <glm/trigonometric.hpp>
 #include <map>
 
 namespace eikonal::lightsim {
@@ -126,13 +127,33 @@ TEST(LightSurfaces, WideBeamsDoNotBendAroundEdges) {
         const auto inside = [](double a) { return a > 10.3 && a < 29.6; };
         const bool top = inside(x.x) && inside(x.z) && x.y > 20;
         const bool side = inside(x.x) && inside(x.y) && x.z < 20; // which the light meets
-        if (top) EXPECT_NEAR(e.x, -light.y, 0.03);
-        if (side) EXPECT_NEAR(e.x, light.z, 0.03);
+        if (top) {
+            EXPECT_NEAR(e.x, -light.y, 0.03);
+        }
+        if (side) {
+            EXPECT_NEAR(e.x, light.z, 0.03);
+        }
         onTop += top;
         onSide += side;
     });
     EXPECT_GE(onTop, 19 * 19 * 4);
     EXPECT_GE(onSide, 19 * 19 * 4);
+}
+
+TEST(LightSurfaces, LongStepsDoNotPassThinPlates) {
+    // Blurred, an index that varies elsewhere: through the even rest steps are as long as the
+    // octree allows, longer than the plate is thick.
+    TestVolume scene{ivec3(48)};
+    scene.index([](dvec3 p) { return 1 + 0.2 * std::exp(-0.1 * glm::dot(p - 8.0, p - 8.0)); });
+    scene.add("opacity", [](dvec3 p) { return std::abs(p.y - 20) < 1.5 ? 1.0 : 0.0; });
+    Params params = onSurfaces(beam({0.1, -1, 0.05}), 1, 1 << 12);
+    params.method = Method::beams;
+    const Lit beams(scene.volume(), params);
+    params.method = Method::photons;
+    const Lit photons(scene.volume(), params);
+    // What passes beside the plate leaves through the sides above it.
+    EXPECT_NEAR(beams.stats.energy.absorbed[0], photons.stats.energy.absorbed[0],
+                0.02 * photons.stats.energy.absorbed[0]);
 }
 
 TEST(LightSurfaces, AThinWallLetsNoLightThrough) {
@@ -221,6 +242,49 @@ TEST(LightSurfaces, BeamsDrawTheCausticOfABallOnAFloor) {
         scene.texelsOf(Lit(scene.volume(), params).result.irradiance);
     EXPECT_LT(relativeError(photons, exact), 0.1);
     EXPECT_NEAR(meanOf(photons), meanOf(exact), 2e-3 * meanOf(exact));
+}
+
+/// What a disc of that diameter [degree] throws, by the judge's light from directions on rings,
+/// which fill its projection evenly.
+std::vector<double> exactUnderDisc(const BallOverFloor& scene, double diameter, int rings) {
+    const dvec3 axis = glm::normalize(scene.exact.direction);
+    const dvec3 right = glm::normalize(glm::cross(axis, dvec3(1, 0, 0)));
+    const dvec3 up = glm::cross(axis, right);
+    std::vector<double> sum(static_cast<size_t>(scene.kTexels) * scene.kTexels);
+    for (int ring = 0; ring < rings; ++ring) {
+        const int around = 6 * ring + 3; // as many as the ring is wide
+        for (int k = 0; k < around; ++k) {
+            const double off = std::sin(glm::radians(diameter / 2)) * (ring + 0.5) / rings;
+            const double turn = glm::radians(360.0 * (k + 0.5 * (ring % 2)) / around);
+            const double along = std::sqrt(1 - off * off);
+            judge::BallOverPlane from = scene.exact;
+            from.direction = along * axis + off * (std::cos(turn) * right + std::sin(turn) * up);
+            judge::Texels texels({-1, -1}, {1, 1}, scene.kTexels / 2);
+            judge::irradianceUnder(from, texels, 1.0 / 64);
+            for (size_t i = 0; i < sum.size(); ++i)
+                sum[i] += texels.values[i] / (3.0 * rings * rings * along);
+        }
+    }
+    return sum;
+}
+
+TEST(LightSurfaces, ABallsPenumbraAndCausticUnderADiscAreTheJudges) {
+    const BallOverFloor scene;
+    for (const double diameter : {0.53, 6.0}) {
+        SCOPED_TRACE(diameter);
+        const std::vector<double> exact = exactUnderDisc(scene, diameter, 3);
+        Light disc = beam(scene.exact.direction);
+        disc.angle = diameter;
+        const Lit lit(scene.volume(), onSurfaces(disc, scene.kDetail, 1 << 18));
+        const std::vector<double> found = scene.texelsOf(lit.result.irradiance);
+        EXPECT_LT(relativeError(found, exact), 0.02);
+        EXPECT_NEAR(meanOf(found), meanOf(exact), 1e-3 * meanOf(exact));
+    }
+    // Without its disc the wider one's light is another.
+    const Lit point(scene.volume(),
+                    onSurfaces(beam(scene.exact.direction), scene.kDetail, 1 << 17));
+    EXPECT_GT(relativeError(scene.texelsOf(point.result.irradiance), exactUnderDisc(scene, 6, 3)),
+              0.08);
 }
 
 TEST(LightSurfaces, TheSameRunGivesTheSameBytes) {

@@ -1,7 +1,7 @@
 eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test.cpp
              lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/run_test.cpp
              lightsim/sharp_test.cpp lightsim/surfaces_test.cpp lightsim/points_test.cpp lightsim/lights_test.cpp lightsim/bounces_test.cpp
-             lightsim/bounces_truth_test.cpp
+             lightsim/fronts_test.cpp lightsim/bounces_truth_test.cpp
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
                                           "LightRun.BatchesChange*" "LightRun.AutomaticPhotonsAreEnough" "LightReceivingLong.*"
                                           "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*"
@@ -9,9 +9,17 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "LightPoints.FlowIs*" "LightPoints.BeamsToOther*"
                                           "LightSurfaces.WideBeams*" "LightSurfaces.WhatAbsorbs*"
                                           "LightReceiving.WhatPictures*" "LightLens.Orbits*"
+                                          "Lights.ASphere*" "Lights.AnEven*" "Lights.ADisc*" "Lights.Apart*"
                                           "LightBounces.ABlurredBox*" "LightBounces.GlassOn*" "LightBounces.TheFirst*"
-                                          "LightBounces.AddTo*" "BouncesTruth.MorePhotons*"
-                                          "BouncesTruth.AWallOfOne*" "BouncesTruth.AHollowBall*")
+                                          "LightBounces.AddTo*" "BouncesTruth.MorePhotons*" "BouncesTruth.AWallGets*"
+                                          "BouncesTruth.ALoneBall*" "BouncesTruth.WhatVoxels*" "LightBounces.AClosedBox*"
+                                          "BouncesTruth.AWallOfOne*" "BouncesTruth.AHollowBall*"
+                                          "LightFronts.ASharpBalls*" "LightFronts.ABlurredBalls*"
+                                          "LightFronts.ASecondRun*" "LightFronts.Surfaces*"
+                                          "LightFronts.AnOpaque*" "LightPoints.GetWhat*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})
+
+eikonal_run(lightsim_fronts COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/fronts_test.sh
+                                     ${CMAKE_BINARY_DIR})

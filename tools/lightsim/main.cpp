@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "common/session.h"
 #include "common/tracing.h"
+#include "front_files.h"
 #include "image/lat_long.h"
 #include "image/picture.h"
 #include "lightsim/lightsim.h"
@@ -22,7 +23,7 @@ namespace {
 
 struct Options {
     std::string input, method = "auto", outputs = "auto", detail = "auto", photons = "auto",
-                       samples = "auto", proxy, octree, points;
+                       samples = "auto", proxy, octree, points, fronts;
     double mapTurn = 0;
     bool mapZUp = false;
     std::vector<std::string> lights;
@@ -63,8 +64,9 @@ void addOptions(tool::Session& session, Options& o) {
     app.add_option("--env-rotate", o.mapTurn, "turn environments about their up axis [degree]")
         ->type_name("DEG");
     app.add_option("--method", o.method,
-                   "how light is carried: photons, beams, or auto (to surfaces by beams, through "
-                   "volumes by photons)")
+                   "how light is carried: photons, beams, auto (to surfaces by beams, through "
+                   "volumes by photons), or wavefront (to surfaces by beams, through volumes by "
+                   "wavefronts)")
         ->capture_default_str();
     app.add_option("--outputs", o.outputs,
                    "auto (what a render of the file needs, possibly nothing), or a list of "
@@ -142,6 +144,10 @@ void addOptions(tool::Session& session, Options& o) {
     app.add_option("--dump-octree", o.octree,
                    "write the octree that photons step by: grids octree_level, octree_step [voxel]")
         ->type_name("FILE.vdb");
+    app.add_option("--dump-fronts", o.fronts,
+                   "with --method wavefront: write the front after each step of time as a mesh of "
+                   "quads, front_0001.ply and so on, each with its power [W] and irradiance [W/m²]")
+        ->type_name("DIR");
     tool::addGridNames(app, o.names,
                        {"ior", "absorption", "scattering", "anisotropy", "opacity", "sdf"});
 }
@@ -324,6 +330,9 @@ void simulate(tool::Session& session, Options& o) {
     o.params.tracing = o.tracing->finish();
     if (session.app().count("--octree-tolerance2") == 0)
         o.params.octreeTolerance2 = std::max(o.params.octreeTolerance2, o.params.octreeTolerance);
+    std::optional<FrontFiles> fronts;
+    if (!o.fronts.empty())
+        o.params.seeFront = [&](int step, const auto& front) { fronts->add(step, front); };
     o.params.check();
     std::vector<std::string> further = filesApart(session, o);
     further.push_back(o.octree);
@@ -358,6 +367,7 @@ void simulate(tool::Session& session, Options& o) {
     for (const std::string& warning : plan->warnings) session.warn(warning);
     AtomicFile& out = *session.outputs().at(0);
     if (!o.octree.empty()) writeOctree(session, o, *volume, *plan);
+    if (!o.fronts.empty()) fronts.emplace(o.fronts);
     lightsim::Result result;
     if (plan->outputs == lightsim::Output::none) {
         for (const std::string& path : filesApart(session, o))
@@ -381,6 +391,7 @@ void simulate(tool::Session& session, Options& o) {
                                       {"light_dropped_as_dim", "--drop-below"}});
         if (o.points.empty()) session.pass("grids", [&] { putGrids(*volume, *plan, result); });
     }
+    if (fronts) fronts->write(session);
     if (!o.points.empty()) return writeLight(session, o, *volume, points, result);
     session.pass("write", [&] { volume->write(out, session.history()); });
 }
