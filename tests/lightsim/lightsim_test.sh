@@ -34,7 +34,7 @@ test_bad_usage() {
         octree-tolerance=nan shadow-cull=0 shadow-cull=1.1 shadow-cull=nan octree-tolerance2=0.001 step-limit=0 step-limit=-1 step-limit=nan step-min=0 step-min=nan \
         step-min=1e9 max-steps=0 max-steps=100000 drop-below=1 drop-below=-1 drop-below=nan \
         step=0 step=nan integrator=magic interpolation=nearest tolerance=0 tolerance=nan \
-        thin-to=1 thin-to=-0.1 thin-to=nan smoothing=-1 smoothing=65 smoothing=x method=magic \
+        thin-to=1 thin-to=-0.1 thin-to=nan smoothing=-1 smoothing=65 smoothing=x method=magic bounces=-1 bounces=65 bounces=x \
         outputs=nothing outputs=fluence, outputs= seed=-1 threads=-1 device=nothing \
         progress=loud; do
         refuses 64 in.vdb $sun -o out.vdb "--$option"
@@ -284,6 +284,27 @@ test_lights() {
     refuses 65 floor.vdb --light environment:floor.vdb -o out2.vdb
     refuses 64 floor.vdb --light environment:sky.ppm -o sky.ppm
     rm -f lit*.vdb alone.vdb turned.vdb dark*.vdb sky.ppm floor.vdb stats.json
+}
+
+test_bounces() {
+    make_volume hollow.vdb size=16 voxel=0.1 ior constant:1 opacity sphere:0.5:0:1 albedo constant:0.5
+    local lamp="--light point:0,0,0 --photons 10000"
+    expect 0 lightsim hollow.vdb $lamp -o lit.vdb --bounces 2 --stats stats.json
+    holds stats.json '.effects.bounces.on and .counters.light_left_after_bounces > 0.1'
+    holds stats.json '.passes | map(.name) | index("bounced photons") != null'
+    holds stats.json '.energy | (.absorbed[0] + .scattered[0] + .escaped[0] + .lost[0]) / .entered[0] |
+        . > 0.999 and . < 1.001'
+    expect 0 lightsim hollow.vdb $lamp -o unlit.vdb --stats stats.json
+    holds stats.json '.effects.bounces.on == false and .counters.light_left_after_bounces == null'
+    # What does nothing says why.
+    expect 0 lightsim hollow.vdb $lamp -o unlit.vdb --explain
+    prints '^bounces: off (--bounces 0)'
+    expect 0 lightsim in.vdb $lamp -o unlit.vdb --bounces 2 --explain
+    prints '^bounces: off (no surface receives light)'
+    make_volume black.vdb size=16 voxel=0.1 ior constant:1 opacity sphere:0.5:0:1
+    expect 0 lightsim black.vdb $lamp -o unlit.vdb --bounces 2 --explain
+    prints '^bounces: off (no opaque surface has an albedo)'
+    rm -f hollow.vdb black.vdb lit.vdb unlit.vdb stats.json
 }
 
 test_points() {
