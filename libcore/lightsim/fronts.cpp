@@ -17,7 +17,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Patches whose corners' flights are kept at a time.
+// Patches whose corners are traced at a time.
 constexpr std::int64_t kPart = 1 << 14;
 
 // Beyond so many patches they are split no more.
@@ -96,10 +96,10 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
     : mTrace(device, "lightsim/front_trace.comp.glsl", switchesOf(plan, params)),
       mDeposit(device, "lightsim/front_deposit.comp.glsl", depositSwitchesOf(plan, params)),
       mList(device, "lightsim/front_list.comp.glsl", {}),
-      mMark(device, "lightsim/front_pack.comp.glsl", {{"MARKS", 1}}),
-      mPack(device, "lightsim/front_pack.comp.glsl", {{"MARKS", 0}}), mScan(device),
+      mMark(device, "lightsim/front_compact.comp.glsl", {{"MARKS", 1}}),
+      mCompact(device, "lightsim/front_compact.comp.glsl", {{"MARKS", 0}}), mScan(device),
       mBlock(device, sizeof(FrontParams)), mCounters(device, 4 * kFrontCounts),
-      mBooks(device, kPart * static_cast<std::int64_t>(sizeof(FrontBooks))),
+      mEnergy(device, kPart * static_cast<std::int64_t>(sizeof(FrontEnergy))),
       mDepths(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontDepth))),
       mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5}, mDetail{cellsOf(params), kPatchEdge,
                                                                     1 << 24},
@@ -146,7 +146,7 @@ void Fronts::fit(gpu::Device& device, std::int64_t patches) {
     enlarge(mBefore, 4 * kCornerBytes, true);
     enlarge(mAfter, 4 * kCornerBytes, true);
     enlarge(mPatches, kPatchBytes, true);
-    enlarge(mPacked, kPatchBytes, false);
+    enlarge(mCompacted, kPatchBytes, false);
     enlarge(mPlaces, 4, true);
     if (mMeets) enlarge(mBacks, 4 * kBackBytes, true);
 }
@@ -159,7 +159,7 @@ void Fronts::start(Run& run, const FrontBatch& batch) {
     mCount = count;
     mBefore.upload(batch.corners.data(), 4 * count * kCornerBytes);
     mPatches.upload(batch.patches.data(), count * kPatchBytes);
-    mBooks.clear();
+    mEnergy.clear();
     mParams.time.z = batch.startsAtLight ? 1 : 0;
     mParams.limits.w = static_cast<float>(std::exp2(30) / std::max(batch.flux, 1.0));
 }
@@ -170,7 +170,7 @@ void Fronts::upload() {
 }
 
 /// The corners of a part of the list through a step.
-void Fronts::fly(Run& run, std::int64_t first, std::int64_t patches) {
+void Fronts::traceCorners(Run& run, std::int64_t first, std::int64_t patches) {
     mParams.list.x = static_cast<unsigned>(patches);
     mParams.list.y = static_cast<unsigned>(first);
     upload();
@@ -187,10 +187,10 @@ void Fronts::fly(Run& run, std::int64_t first, std::int64_t patches) {
     run.device.check("wavefront corners");
 }
 
-/// What the step does to the patches whose corners have just flown.
-void Fronts::settle(Run& run, std::int64_t patches) {
+/// What the step does to the patches whose corners have just been traced.
+void Fronts::stepPatches(Run& run, std::int64_t patches) {
     if (mMeets) mBacks.bindStorage(kFrontBacksBuffer);
-    mBooks.bindStorage(kFrontBooksBuffer);
+    mEnergy.bindStorage(kFrontEnergyBuffer);
     mCounters.bindStorage(kFrontCountersBuffer);
     mPlaces.bindStorage(kFrontPlacesBuffer);
     run.profiler.begin("front patches");
@@ -200,7 +200,7 @@ void Fronts::settle(Run& run, std::int64_t patches) {
 }
 
 /// Adds the patches into which some part.
-void Fronts::relist(Run& run) {
+void Fronts::addPatches(Run& run) {
     const std::int64_t more = mScan.run(run.device, mPlaces, mCount);
     fit(run.device, mCount + more);
     mParams.list.x = static_cast<unsigned>(mCount);
@@ -216,7 +216,7 @@ void Fronts::relist(Run& run) {
 }
 
 /// Puts the patches that have not ended together.
-void Fronts::pack(Run& run) {
+void Fronts::compact(Run& run) {
     mParams.list.x = static_cast<unsigned>(mCount);
     upload();
     mPatches.bindStorage(kFrontPatchesBuffer);
@@ -227,10 +227,10 @@ void Fronts::pack(Run& run) {
     mBefore.bindStorage(kFrontBeforeBuffer);
     mAfter.bindStorage(kFrontAfterBuffer);
     mPatches.bindStorage(kFrontPatchesBuffer);
-    mPacked.bindStorage(kFrontPackedBuffer);
+    mCompacted.bindStorage(kFrontCompactedBuffer);
     mPlaces.bindStorage(kFrontPlacesBuffer);
-    dispatchList(mPack, mCount);
-    std::swap(mPatches, mPacked);
+    dispatchList(mCompact, mCount);
+    std::swap(mPatches, mCompacted);
     std::swap(mBefore, mAfter);
     mCount = left;
     mEnded = 0;
@@ -242,17 +242,17 @@ void Fronts::step(Run& run, unsigned number) {
     mCounters.clear();
     for (std::int64_t first = 0; first < mCount; first += kPart) {
         const std::int64_t patches = std::min(mCount - first, kPart);
-        fly(run, first, patches);
-        settle(run, patches);
+        traceCorners(run, first, patches);
+        stepPatches(run, patches);
     }
     run.patches += static_cast<double>(mCount - mEnded);
     run.most = std::max(run.most, mCount - mEnded);
     mCounters.download(run.counters.data(), mCounters.bytes());
     mEnded += run.counters[kFrontEnded];
     run.profiler.begin("front lists");
-    if (run.counters[kFrontChanged] != 0) relist(run);
+    if (run.counters[kFrontChanged] != 0) addPatches(run);
     std::swap(mBefore, mAfter);
-    if (2 * mEnded > mCount) pack(run);
+    if (2 * mEnded > mCount) compact(run);
     run.profiler.end();
     run.device.check("wavefront lists");
 }
@@ -288,17 +288,17 @@ std::vector<FrontQuad> Fronts::quads(const FrontBatch& batch) const {
 
 /// What became of a batch's flux; `few`: what is left was too little to follow.
 BatchEnergy Fronts::energyOf(bool few) const {
-    std::vector<FrontBooks> books(static_cast<size_t>(kPart));
-    mBooks.download(books.data(), mBooks.bytes());
+    std::vector<FrontEnergy> slots(static_cast<size_t>(kPart));
+    mEnergy.download(slots.data(), mEnergy.bytes());
     BatchEnergy energy;
     dvec3 deep(0), dim(0), left(0);
-    for (const FrontBooks& book : books) {
-        energy.absorbed += dvec3(book.absorbed);
-        energy.scattered += dvec3(book.scattered);
-        energy.escaped += dvec3(book.escaped);
-        deep += dvec3(book.deep);
-        dim += dvec3(book.dim);
-        energy.counts[2] += static_cast<double>(book.scattered.w);
+    for (const FrontEnergy& slot : slots) {
+        energy.absorbed += dvec3(slot.absorbed);
+        energy.scattered += dvec3(slot.scattered);
+        energy.escaped += dvec3(slot.escaped);
+        deep += dvec3(slot.deep);
+        dim += dvec3(slot.dim);
+        energy.counts[2] += static_cast<double>(slot.scattered.w);
     }
     for (const FrontPatch& patch : patchesLeft())
         if (patch.state.y != kFrontEnds) left += dvec3(patch.flux);
@@ -344,11 +344,11 @@ std::vector<gpu::Need> frontNeeds(const Plan& plan, const Params& params) {
         static_cast<std::int64_t>(std::min(std::max(wanted, seen), double{1 << 18}));
     const std::int64_t each = 4 * kCornerBytes + kPatchBytes + 4;
     const std::int64_t back = meetsAnything(plan) ? 4 * kBackBytes : 0;
-    const auto flights = static_cast<std::int64_t>(sizeof(FrontDepth) +
-                                                   (meetsAnything(plan) ? sizeof(FrontHit) : 0));
+    const auto steps = static_cast<std::int64_t>(sizeof(FrontDepth) +
+                                                 (meetsAnything(plan) ? sizeof(FrontHit) : 0));
     // This step's and the next one's, which may be as many again where the front is bent.
     return {{"the wavefront", 2 * 2 * patches * (each + back), true, 0},
-            {"the flights of its corners", 4 * kPart * flights, true, 0}};
+            {"its corners' steps", 4 * kPart * steps, true, 0}};
 }
 
 } // namespace eikonal::lightsim

@@ -36,19 +36,19 @@ private:
     void fit(gpu::Device& device, std::int64_t patches);
     void start(Run& run, const FrontBatch& batch);
     void upload();
-    void fly(Run& run, std::int64_t first, std::int64_t patches);
-    void settle(Run& run, std::int64_t patches);
-    void relist(Run& run);
-    void pack(Run& run);
+    void traceCorners(Run& run, std::int64_t first, std::int64_t patches);
+    void stepPatches(Run& run, std::int64_t patches);
+    void addPatches(Run& run);
+    void compact(Run& run);
     void step(Run& run, unsigned number);
     std::vector<FrontPatch> patchesLeft() const;
     std::vector<FrontQuad> quads(const FrontBatch& batch) const;
     BatchEnergy energyOf(bool few) const;
 
-    gpu::Program mTrace, mDeposit, mList, mMark, mPack;
+    gpu::Program mTrace, mDeposit, mList, mMark, mCompact;
     Scan mScan;
-    gpu::Buffer mBlock, mCounters, mBooks, mDepths, mHits;
-    gpu::Buffer mBefore, mAfter, mPatches, mPacked, mBacks, mPlaces; ///< of all patches
+    gpu::Buffer mBlock, mCounters, mEnergy, mDepths, mHits;
+    gpu::Buffer mBefore, mAfter, mPatches, mCompacted, mBacks, mPlaces; ///< of all patches
     std::int64_t mCapacity = 0, mCount = 0; ///< patches there is room for, and those there are
     std::int64_t mEnded = 0;                ///< of these
     FrontParams mParams{};

@@ -33,6 +33,6 @@ static_assert(sizeof(FrontCorner) == 64);
 static_assert(sizeof(FrontPatch) == 48);
 static_assert(sizeof(FrontDepth) == 32);
 static_assert(sizeof(FrontHit) == 160);
-static_assert(sizeof(FrontBooks) == 80);
+static_assert(sizeof(FrontEnergy) == 80);
 
 } // namespace eikonal::lightsim

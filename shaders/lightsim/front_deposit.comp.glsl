@@ -31,44 +31,43 @@ layout(std430, binding = kFrontPatchesBuffer) buffer Patches { FrontPatch patche
 layout(std430, binding = kFrontDepthsBuffer) readonly buffer Depths { FrontDepth depths[]; };
 layout(std430, binding = kFrontHitsBuffer) readonly buffer Hits { FrontHit hits[]; };
 layout(std430, binding = kFrontBacksBuffer) writeonly buffer Backs { FrontBack backs[]; };
-layout(std430, binding = kFrontBooksBuffer) buffer Books { FrontBooks books[]; };
+layout(std430, binding = kFrontEnergyBuffer) buffer Energy { FrontEnergy energy[]; };
 layout(std430, binding = kFrontCountersBuffer) buffer Counters { uint counters[]; };
 layout(std430, binding = kFrontPlacesBuffer) writeonly buffer Places { uint places[]; };
 #include "lightsim/deposit.glsl"
 
-
-// Four values at a patch's corners, as a polynomial of its coordinates.
-struct Spread {
+// Four values at a patch's corners, and between them.
+struct Bilinear {
     vec3 first;
     vec3 alongU;
     vec3 alongV;
     vec3 twist;
 };
 
-Spread spreadOf(vec3 a, vec3 b, vec3 c, vec3 d) {
-    return Spread(a, b - a, c - a, a - b - c + d);
+Bilinear bilinearOf(vec3 a, vec3 b, vec3 c, vec3 d) {
+    return Bilinear(a, b - a, c - a, a - b - c + d);
 }
 
-vec3 at(Spread spread, vec2 p) {
-    return spread.first + p.x * spread.alongU + p.y * (spread.alongV + p.x * spread.twist);
+vec3 at(Bilinear values, vec2 p) {
+    return values.first + p.x * values.alongU + p.y * (values.alongV + p.x * values.twist);
 }
 
-vec3 meanOf(Spread spread) {
-    return at(spread, vec2(0.5));
+vec3 meanOf(Bilinear values) {
+    return at(values, vec2(0.5));
 }
 
 // The longer one of opposite edges, along both coordinates [voxel].
-vec2 edgesOf(Spread place) {
+vec2 edgesOf(Bilinear place) {
     return vec2(max(length(place.alongU), length(place.alongU + place.twist)),
                 max(length(place.alongV), length(place.alongV + place.twist)));
 }
 
 // A patch before a step and after it.
 struct Sweep {
-    Spread start;
-    Spread end;
-    Spread before; // weights
-    Spread after;
+    Bilinear start;
+    Bilinear end;
+    Bilinear before; // weights
+    Bilinear after;
     vec3 absorbed;  // [1/voxel]
     vec3 scattered;
     bool inside;    // all of it is in the domain
@@ -78,7 +77,7 @@ bool isAlive(FrontCorner corner) {
     return int(corner.state.x) == kAlive;
 }
 
-bool isInside(Spread place) {
+bool isInside(Bilinear place) {
     vec3 low = min(min(place.first, place.first + place.alongU),
                    min(place.first + place.alongV, place.first + place.alongU + place.alongV + place.twist));
     vec3 high = max(max(place.first, place.first + place.alongU),
@@ -89,12 +88,12 @@ bool isInside(Spread place) {
 
 Sweep sweepOf(uint first, uvec4 corner, FrontCorner to[4], FrontDepth depth[4]) {
     Sweep sweep;
-    sweep.start = spreadOf(before[first].place.xyz, before[first + corner.y].place.xyz,
+    sweep.start = bilinearOf(before[first].place.xyz, before[first + corner.y].place.xyz,
                            before[first + corner.z].place.xyz, before[first + corner.w].place.xyz);
-    sweep.before = spreadOf(before[first].weight.xyz, before[first + corner.y].weight.xyz,
+    sweep.before = bilinearOf(before[first].weight.xyz, before[first + corner.y].weight.xyz,
                             before[first + corner.z].weight.xyz, before[first + corner.w].weight.xyz);
-    sweep.end = spreadOf(to[0].place.xyz, to[1].place.xyz, to[2].place.xyz, to[3].place.xyz);
-    sweep.after = spreadOf(to[0].weight.xyz, to[1].weight.xyz, to[2].weight.xyz, to[3].weight.xyz);
+    sweep.end = bilinearOf(to[0].place.xyz, to[1].place.xyz, to[2].place.xyz, to[3].place.xyz);
+    sweep.after = bilinearOf(to[0].weight.xyz, to[1].weight.xyz, to[2].weight.xyz, to[3].weight.xyz);
     float extent = depth[0].absorbed.w + depth[1].absorbed.w + depth[2].absorbed.w + depth[3].absorbed.w;
     float share = extent > 0.0 ? 1.0 / extent : 0.0;
     sweep.absorbed =
@@ -126,7 +125,7 @@ vec2 raysOf(Sweep sweep, float flux) {
 }
 
 // Lays down the light of a sweep. Takes from the flux what media and opaque voxels take.
-void layDown(Sweep sweep, bool single, uint seed, inout vec3 flux, inout FrontBooks book) {
+void layDown(Sweep sweep, bool single, uint seed, inout vec3 flux, inout FrontEnergy sums) {
     vec2 counts = single ? vec2(1.0) : raysOf(sweep, mostOf(flux));
     float rays = counts.x * counts.y;
     vec3 each = flux / (rays * max(meanOf(sweep.before), vec3(1.0e-30)));
@@ -154,15 +153,15 @@ void layDown(Sweep sweep, bool single, uint seed, inout vec3 flux, inout FrontBo
     vec3 absorbed = load.absorbed + stopped;
     if (kMedium || kOpaqueVoxels) {
         flux = max(flux - absorbed - load.scattered, vec3(0.0));
-        book.absorbed.xyz += absorbed;
-        book.scattered.xyz += load.scattered;
+        sums.absorbed.xyz += absorbed;
+        sums.scattered.xyz += load.scattered;
     }
-    book.scattered.w += float(load.deposits);
+    sums.scattered.w += float(load.deposits);
     if (load.fullest >= kNearFull) atomicOr(counters[kFrontNearFull], 1u);
 }
 
 // Over all corners.
-float brightestOf(Spread weight) {
+float brightestOf(Bilinear weight) {
     float near = max(mostOf(weight.first), mostOf(weight.first + weight.alongU));
     float far = max(mostOf(weight.first + weight.alongV),
                     mostOf(weight.first + weight.alongU + weight.alongV + weight.twist));
@@ -218,16 +217,16 @@ bool agree(FrontHit hit[4]) {
     return same;
 }
 
-void book(inout vec4 sum, vec3 flux) {
+void addFlux(inout vec4 sum, vec3 flux) {
     sum.xyz += flux;
 }
 
 // A patch at an interface: the weights and fluxes of what goes on and of what is reflected. Returns what
 // becomes of it.
-uint scatter(uint first, FrontHit hit[4], inout FrontPatch part, inout FrontBooks books) {
+uint scatter(uint first, FrontHit hit[4], inout FrontPatch part, inout FrontEnergy sums) {
     bool passes = hit[0].after.z == 0u;
     if (!passes && part.state.x >= params.list.z) {
-        book(books.deep, part.flux.xyz);
+        addFlux(sums.deep, part.flux.xyz);
         return kFrontEnds;
     }
     if (!passes) ++part.state.x;
@@ -252,15 +251,15 @@ uint scatter(uint first, FrontHit hit[4], inout FrontPatch part, inout FrontBook
     vec3 returned = part.flux.xyz * mirrored / max(all, vec3(1.0e-30));
     vec3 onward = part.flux.xyz - returned;
     vec3 tinted = returned * hit[0].mirrored.yzw;
-    book(books.absorbed, returned - tinted);
+    addFlux(sums.absorbed, returned - tinted);
     bool goes = hit[0].mirrored.x < 1.0;
     bool comesBack = hit[0].mirrored.x > 0.0 || mostBack > 0.0;
     if (goes && most < params.limits.x) {
-        book(books.dim, onward);
+        addFlux(sums.dim, onward);
         goes = false;
     }
     if (comesBack && mostBack < params.limits.x) {
-        book(books.dim, tinted);
+        addFlux(sums.dim, tinted);
         comesBack = false;
     }
     if (goes && comesBack && (mostOf(part.flux.xyz) < params.faint.w || params.list.w == 0u)) {
@@ -277,15 +276,15 @@ uint scatter(uint first, FrontHit hit[4], inout FrontPatch part, inout FrontBook
 }
 
 // A patch that has met nothing, or all of whose light has come somewhere.
-uint goOn(Sweep sweep, FrontCorner to[4], bool single, FrontPatch part, inout FrontBooks books) {
+uint goOn(Sweep sweep, FrontCorner to[4], bool single, FrontPatch part, inout FrontEnergy sums) {
     bool left = true;
     for (int i = 0; i < 4; ++i) left = left && int(to[i].state.x) == kLeft;
     if (left) {
-        book(books.escaped, part.flux.xyz);
+        addFlux(sums.escaped, part.flux.xyz);
         return kFrontEnds;
     }
     if (kMedium && brightestOf(sweep.after) < params.limits.y) {
-        book(books.dim, part.flux.xyz);
+        addFlux(sums.dim, part.flux.xyz);
         return kFrontEnds;
     }
     return cutOf(edgesOf(sweep.end), anglesOf(to), single, mostOf(part.flux.xyz));
@@ -305,7 +304,7 @@ void main() {
     places[number] = 0u;
     if (part.state.y == kFrontEnds) return;
     part.back = vec4(0.0);
-    FrontBooks sums = books[item];
+    FrontEnergy sums = energy[item];
     bool single = part.flux.w == 1.0;
     uint first = 4u * number;
     uvec4 corner = single ? uvec4(0u) : uvec4(0u, 1u, 2u, 3u);
@@ -331,7 +330,7 @@ void main() {
         if (!met) {
             becomes = goOn(sweep, to, single, part, sums);
         } else if (int(to[0].state.x) == kStopped) {
-            book(sums.absorbed, part.flux.xyz);
+            addFlux(sums.absorbed, part.flux.xyz);
         } else {
             becomes = scatter(first, hit, part, sums);
         }
@@ -341,7 +340,7 @@ void main() {
         becomes = partedBy(sweep, anglesOf(from), mostOf(part.flux.xyz));
     }
     sums.absorbed.w += 1.0;
-    books[item] = sums;
+    energy[item] = sums;
     part.state.y = becomes;
     patches[number] = part;
     places[number] = newOnes(becomes);

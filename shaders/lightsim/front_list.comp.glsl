@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One stays in its place, the others stand behind all that there were, in the order of what they are made
-// of. // Where a patch is cut new corners stand in the middles of its edges and of itself. An edge is bent as
+// of. Where a patch is cut new corners stand in the middles of its edges and of itself. An edge is bent as
 // the front is, across whose normals, the rays, it runs at both ends.
 #include "shared/bindings.h"
 #include "shared/front_params.h"
@@ -53,10 +53,6 @@ FrontCorner between(FrontCorner a, FrontCorner b) {
     middle.wave = vec4(size > 1.0e-6 ? (n / size) * sum : n * da, min(a.wave.w, b.wave.w));
     middle.weight = 0.5 * (a.weight + b.weight);
     return middle;
-}
-
-vec3 meanOf(FrontCorner a, FrontCorner b, FrontCorner c, FrontCorner d) {
-    return 0.25 * (a.weight.xyz + b.weight.xyz + c.weight.xyz + d.weight.xyz);
 }
 
 // The corners of a patch.

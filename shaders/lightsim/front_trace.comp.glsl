@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A work item carries one corner. The clock is the optical path length. Before they enter the domain and
-// behind it corners fly straight on, so that a patch is whole until all of it has left. Where there are
+// behind it corners propagate straight on, so that a patch is whole until all of it has left. Where there are
 // boundaries a corner looks some way beyond the step as well: a patch goes over a boundary as a whole.
 #include "lib/attenuation.glsl"
 #include "shared/bindings.h"
@@ -34,8 +34,8 @@ const float kLongest = 1.0;      // step through an index or a medium that varie
 const float kOpaqueLook = 0.5;   // between looks for opaque voxels [voxel]
 const int kMostRounds = 256;     // of one step: more than its length allows
 
-// A corner on its way.
-struct Flight {
+// The path of a corner through a step.
+struct CornerPath {
     Path path;
     float clock;
     vec3 absorbed;  // optical depths of this step
@@ -49,106 +49,106 @@ vec3 highCorner() {
 }
 
 // Takes up where the corner meets the domain, or starts within it.
-void enter(inout Flight flight, vec3 direction) {
-    flight.path.ray.x = clampToDomain(flight.path.ray.x);
-    flight.path.objects = kObjects > 0 ? objectsAt(flight.path.ray.x, direction, params.time.z == 1.0)
-                                       : flight.path.objects;
-    int region = regionOf(flight.path.objects);
+void enterDomain(inout CornerPath corner, vec3 direction) {
+    corner.path.ray.x = clampToDomain(corner.path.ray.x);
+    corner.path.objects = kObjects > 0 ? objectsAt(corner.path.ray.x, direction, params.time.z == 1.0)
+                                       : corner.path.objects;
+    int region = regionOf(corner.path.objects);
     // Steps keep |w| at n; one look-up tells where to begin, a device walks this branch every time.
     bool steps = kIntegrator == kVerlet && kField == 1 && indexVariesIn(region);
-    float n = steps ? fieldAt(flight.path.ray.x).w : indexOf(region, flight.path.ray.x);
-    flight.path.ray.w = n * direction;
-    flight.path.status = isOpaque(region) ? kStopped : kAlive;
+    float n = steps ? fieldAt(corner.path.ray.x).w : indexOf(region, corner.path.ray.x);
+    corner.path.ray.w = n * direction;
+    corner.path.status = isOpaque(region) ? kStopped : kAlive;
 }
 
 // Towards the domain, where it begins within the time.
-void approach(inout Flight flight, float until) {
-    float n = length(flight.path.ray.w);
-    vec3 direction = flight.path.ray.w / n;
-    vec2 span = boxSpan(flight.path.ray.x, direction, vec3(-0.5), highCorner());
-    float left = max(until - flight.clock, 0.0) / n;
+void propagateToDomain(inout CornerPath corner, float until) {
+    float n = length(corner.path.ray.w);
+    vec3 direction = corner.path.ray.w / n;
+    vec2 span = boxSpan(corner.path.ray.x, direction, vec3(-0.5), highCorner());
+    float left = max(until - corner.clock, 0.0) / n;
     float way = max(span.x, 0.0);
     bool enters = span.x < span.y && span.y > 0.0 && way <= left;
     way = enters ? way : left;
-    flight.path.ray.x += way * direction;
-    flight.clock += n * way;
-    if (enters) enter(flight, direction);
-    else if (span.x >= span.y || span.y <= 0.0) flight.path.status = kLeft;
+    corner.path.ray.x += way * direction;
+    corner.clock += n * way;
+    if (enters) enterDomain(corner, direction);
+    else if (span.x >= span.y || span.y <= 0.0) corner.path.status = kLeft;
 }
 
 // A piece of the way dims the corner.
-void dim(inout Flight flight, vec3 start, vec3 direction, float extent, float n) {
+void dim(inout CornerPath corner, vec3 start, vec3 direction, float extent, float n) {
     if (!kMedium) return;
-    Extinction medium = extinctionOf(pieceFrom(start, direction, extent, n, regionOf(flight.path.objects)));
+    Extinction medium = extinctionOf(pieceFrom(start, direction, extent, n, regionOf(corner.path.objects)));
     vec3 absorbed = extent * medium.absorbed;
     vec3 scattered = extent * medium.scattered;
-    flight.absorbed += absorbed;
-    flight.scattered += scattered;
+    corner.absorbed += absorbed;
+    corner.scattered += scattered;
     vec3 depth = absorbed + scattered;
-    flight.path.throughput.x *= attenuationOf(depth.x).through;
+    corner.path.throughput.x *= attenuationOf(depth.x).through;
     if (kColour) {
-        flight.path.throughput.y *= attenuationOf(depth.y).through;
-        flight.path.throughput.z *= attenuationOf(depth.z).through;
+        corner.path.throughput.y *= attenuationOf(depth.y).through;
+        corner.path.throughput.z *= attenuationOf(depth.z).through;
     }
 }
 
 // The first opaque voxel on a piece stops the corner there.
-void stopAtVoxels(inout Flight flight, vec3 start, vec3 end) {
+void stopAtVoxels(inout CornerPath corner, vec3 start, vec3 end) {
     if (!kOpaqueVoxels) return;
     float looks = max(ceil(length(end - start) / kOpaqueLook), 1.0);
-    for (float i = 1.0; i <= looks && flight.path.status == kAlive; i += 1.0) {
+    for (float i = 1.0; i <= looks && corner.path.status == kAlive; i += 1.0) {
         vec3 x = mix(start, end, i / looks);
         if (isOutside(x)) break;
         if (texelFetch(opaque, ivec3(x + 0.5), 0).x != 0u) {
-            flight.path.status = kStopped;
-            flight.path.ray.x = x;
+            corner.path.status = kStopped;
+            corner.path.ray.x = x;
         }
     }
 }
 
 // Straight on behind the domain. Media dim a corner as its neighbours still inside.
-void leave(inout Flight flight, float until) {
-    float n = length(flight.path.ray.w);
-    float way = max(until - flight.clock, 0.0) / n;
-    dim(flight, flight.path.ray.x, flight.path.ray.w / n, way, n);
-    flight.path.ray.x += (way / n) * flight.path.ray.w;
-    flight.clock += n * way;
-    flight.extent += way;
+void propagateBehindDomain(inout CornerPath corner, float until) {
+    float n = length(corner.path.ray.w);
+    float way = max(until - corner.clock, 0.0) / n;
+    dim(corner, corner.path.ray.x, corner.path.ray.w / n, way, n);
+    corner.path.ray.x += (way / n) * corner.path.ray.w;
+    corner.clock += n * way;
+    corner.extent += way;
 }
 
-// How far a corner may fly straight before the medium is looked up again [voxel].
+// How far a corner may propagate straight before the medium is looked up again [voxel].
 float straightPiece(int region) {
     return kOpaqueVoxels || (kMedium && coefficientsVaryIn(region)) ? kLongest : 1.0e9;
 }
 
 // Through an index that does not vary. `reach` is how far boundaries are looked for.
-void flyStraight(inout Flight flight, int region, float until, float reach) {
-    float n = indexOf(region, flight.path.ray.x);
-    vec3 direction = flight.path.ray.w / n;
-    float face = timeToFace(flight.path.ray.x, direction);
-    float wanted = (until - flight.clock) / n;
-    if (kObjects > 0 && flight.ahead.object < 0 && flight.ahead.s < min(wanted, face)) {
+void propagateStraight(inout CornerPath corner, int region, float until, float reach) {
+    float n = indexOf(region, corner.path.ray.x);
+    vec3 direction = corner.path.ray.w / n;
+    float face = timeToFace(corner.path.ray.x, direction);
+    float wanted = (until - corner.clock) / n;
+    if (kObjects > 0 && corner.ahead.object < 0 && corner.ahead.s < min(wanted, face)) {
         float seen = min(face, wanted + reach / n);
-        flight.ahead = intersectStraight(flight.path.ray.x, direction, seen, flight.path.objects,
-                                         flight.path.departs);
+        corner.ahead = intersectStraight(corner.path.ray.x, direction, seen, corner.path.objects,
+                                         corner.path.departs);
     }
-    bool meets = kObjects > 0 && flight.ahead.object >= 0 && flight.ahead.s <= wanted;
-    float way = meets ? flight.ahead.s : wanted;
+    bool meets = kObjects > 0 && corner.ahead.object >= 0 && corner.ahead.s <= wanted;
+    float way = meets ? corner.ahead.s : wanted;
     float piece = straightPiece(region);
     if (way > piece) {
         way = piece;
         meets = false;
     }
-    vec3 start = flight.path.ray.x;
+    vec3 start = corner.path.ray.x;
     float within = min(way, face);
-    dim(flight, start, direction, way, n);
-    flight.path.ray.x = start + way * direction;
-    flight.clock += n * way;
-    flight.extent += way;
-    flight.ahead.s -= way;
-    if (way > 0.0) flight.path.departs = 0.0;
-    stopAtVoxels(flight, start, start + within * direction);
-    if (flight.path.status == kAlive) flight.path.status = meets ? kMeets : way > face ? kLeft : kAlive;
+    dim(corner, start, direction, way, n);
+    corner.path.ray.x = start + way * direction;
+    corner.clock += n * way;
+    corner.extent += way;
+    corner.ahead.s -= way;
+    if (way > 0.0) corner.path.departs = 0.0;
+    stopAtVoxels(corner, start, start + within * direction);
+    if (corner.path.status == kAlive) corner.path.status = meets ? kMeets : way > face ? kLeft : kAlive;
 }
 
 // A step of dτ. Verlet's drift–kick–drift takes one look-up.
@@ -181,17 +181,17 @@ Step goodStep(Ray ray, inout float tau) {
 }
 
 // What a step meets, if it is before the domain's face; the step then ends there.
-Hit hitOf(inout Flight flight, inout Step made, inout float tau) {
-    Segment segment = curvedSegment(flight.path.ray, made.end, tau);
+Hit hitOf(inout CornerPath corner, inout Step made, inout float tau) {
+    Segment segment = curvedSegment(corner.path.ray, made.end, tau);
     Hit hit = noHit(segment.extent);
-    if (freeBy(abs(clearanceAt(flight.path.ray.x))) >= segment.extent) return hit;
-    float face = isOutside(made.end.x) ? shareInside(flight.path.ray, made.end, tau) : 1.0;
-    hit = intersect(segment, flight.path.objects, flight.path.departs);
+    if (freeBy(abs(clearanceAt(corner.path.ray.x))) >= segment.extent) return hit;
+    float face = isOutside(made.end.x) ? shareInside(corner.path.ray, made.end, tau) : 1.0;
+    hit = intersect(segment, corner.path.objects, corner.path.departs);
     if (hit.object >= 0 && !isBeforeFace(hit, pointOn(segment, hit.s), hit.s - face * segment.extent))
         hit.object = -1;
     if (hit.object >= 0) {
         tau *= max(min(hit.s / segment.extent, face), 1.0e-6);
-        made = stepOf(flight.path.ray, tau);
+        made = stepOf(corner.path.ray, tau);
         vec4 found = distanceAt(hit.object, made.end.x);
         vec3 direction = normalize(made.end.w);
         float slope = dot(found.xyz, direction);
@@ -202,61 +202,61 @@ Hit hitOf(inout Flight flight, inout Step made, inout float tau) {
 }
 
 // A step through an index that varies.
-void flyBent(inout Flight flight, int region, float until) {
-    Ray start = flight.path.ray;
+void propagateBent(inout CornerPath corner, int region, float until) {
+    Ray start = corner.path.ray;
     float n2 = dot(start.w, start.w);
     float longest = min(transport.steps.w, kLongest);
-    float tau = min((until - flight.clock) / n2, longest * inversesqrt(n2));
+    float tau = min((until - corner.clock) / n2, longest * inversesqrt(n2));
     Step made = goodStep(start, tau);
     Hit hit = noHit(0.0);
-    if (kObjects > 0) hit = hitOf(flight, made, tau);
+    if (kObjects > 0) hit = hitOf(corner, made, tau);
     float optical = opticalOf(start, made);
     float extent = sqrt(abs(optical * tau));
     Ray middle = between(start, made.end, tau, 0.5);
     float n = length(middle.w);
-    dim(flight, middle.x - (0.5 * extent / n) * middle.w, middle.w / n, extent, n);
-    flight.path.ray = made.end;
-    flight.clock += optical;
-    flight.extent += extent;
-    flight.path.departs = 0.0;
-    stopAtVoxels(flight, start.x, made.end.x);
-    if (flight.path.status != kAlive) return;
+    dim(corner, middle.x - (0.5 * extent / n) * middle.w, middle.w / n, extent, n);
+    corner.path.ray = made.end;
+    corner.clock += optical;
+    corner.extent += extent;
+    corner.path.departs = 0.0;
+    stopAtVoxels(corner, start.x, made.end.x);
+    if (corner.path.status != kAlive) return;
     if (kObjects > 0 && hit.object >= 0) {
-        flight.ahead = hit;
-        flight.path.status = kMeets;
+        corner.ahead = hit;
+        corner.path.status = kMeets;
     } else if (isOutside(made.end.x)) {
-        flight.path.status = kLeft;
+        corner.path.status = kLeft;
     }
 }
 
 // Until the clock says so, or a boundary is met. `reach` is how far those are looked for.
-void fly(inout Flight flight, float until, float reach) {
-    if (flight.path.status == kNone && until - flight.clock > kLate) approach(flight, until);
-    for (int i = 0; i < kMostRounds && flight.path.status == kAlive && until - flight.clock > kLate; ++i) {
-        int region = regionOf(flight.path.objects);
-        if (indexVariesIn(region)) flyBent(flight, region, until);
-        else flyStraight(flight, region, until, reach);
+void propagate(inout CornerPath corner, float until, float reach) {
+    if (corner.path.status == kNone && until - corner.clock > kLate) propagateToDomain(corner, until);
+    for (int i = 0; i < kMostRounds && corner.path.status == kAlive && until - corner.clock > kLate; ++i) {
+        int region = regionOf(corner.path.objects);
+        if (indexVariesIn(region)) propagateBent(corner, region, until);
+        else propagateStraight(corner, region, until, reach);
     }
-    if (flight.path.status == kLeft) leave(flight, until);
+    if (corner.path.status == kLeft) propagateBehindDomain(corner, until);
 }
 
 // Whether there may be a boundary within reach beyond the step.
-bool mayMeet(Flight flight) {
+bool mayMeet(CornerPath corner) {
     if (kObjects == 0) return true;
-    return flight.path.status == kNone ||
-           freeBy(abs(clearanceAt(flight.path.ray.x))) * length(flight.path.ray.w) < params.time.y;
+    return corner.path.status == kNone ||
+           freeBy(abs(clearanceAt(corner.path.ray.x))) * length(corner.path.ray.w) < params.time.y;
 }
 
-Flight flightFrom(FrontCorner corner) {
-    Path path = pathFrom(corner.place.xyz, corner.wave.xyz, 0);
-    path.departs = corner.wave.w;
-    path.throughput = corner.weight.xyz;
-    path.status = int(corner.state.x);
-    if (kObjects > 0) path.objects = ObjectSet(corner.state.y);
+CornerPath pathOf(FrontCorner from) {
+    Path path = pathFrom(from.place.xyz, from.wave.xyz, 0);
+    path.departs = from.wave.w;
+    path.throughput = from.weight.xyz;
+    path.status = int(from.state.x);
+    if (kObjects > 0) path.objects = ObjectSet(from.state.y);
 #if NEAR > 0
-    path.objects = corner.state.yz;
+    path.objects = from.state.yz;
 #endif
-    return Flight(path, corner.place.w, vec3(0.0), vec3(0.0), 0.0, noHit(0.0));
+    return CornerPath(path, from.place.w, vec3(0.0), vec3(0.0), 0.0, noHit(0.0));
 }
 
 uvec2 wordsOf(ObjectSet objects) {
@@ -267,57 +267,57 @@ uvec2 wordsOf(ObjectSet objects) {
 #endif
 }
 
-FrontCorner cornerOf(Flight flight) {
-    return FrontCorner(vec4(flight.path.ray.x, flight.clock), vec4(flight.path.ray.w, flight.path.departs),
-                       vec4(flight.path.throughput, 0.0),
-                       uvec4(flight.path.status, wordsOf(flight.path.objects), uint(flight.ahead.object)));
+FrontCorner cornerOf(CornerPath corner) {
+    return FrontCorner(vec4(corner.path.ray.x, corner.clock), vec4(corner.path.ray.w, corner.path.departs),
+                       vec4(corner.path.throughput, 0.0),
+                       uvec4(corner.path.status, wordsOf(corner.path.objects), uint(corner.ahead.object)));
 }
 
-FrontDepth depthOf(Flight flight) {
-    return FrontDepth(vec4(flight.absorbed, flight.extent), vec4(flight.scattered, 0.0));
+FrontDepth depthOf(CornerPath corner) {
+    return FrontDepth(vec4(corner.absorbed, corner.extent), vec4(corner.scattered, 0.0));
 }
 
 // What goes on from the boundary met, or nothing where that is opaque.
-FrontHit hitFrom(inout Flight flight) {
+FrontHit hitFrom(inout CornerPath corner) {
     FrontHit hit;
-    hit.onward = vec4(flight.path.ray.w, 0.0);
+    hit.onward = vec4(corner.path.ray.w, 0.0);
     hit.back = vec4(0.0);
     hit.mirrored = vec4(0.0, 1.0, 1.0, 1.0);
     hit.after = uvec4(0u);
-    if (kObjects > 0 && flight.path.status == kMeets) {
-        Interface at = interfaceAt(flight.path.ray, flight.path.objects, flight.ahead);
+    if (kObjects > 0 && corner.path.status == kMeets) {
+        Interface at = interfaceAt(corner.path.ray, corner.path.objects, corner.ahead);
         hit.after = uvec4(wordsOf(at.objects), 0u, 0u);
         if (kOpaqueObjects && at.here != at.there && isOpaque(at.there)) {
-            flight.path.status = kStopped;
+            corner.path.status = kStopped;
         } else if (!isNothing(at)) {
             Outgoing outgoing[kMostOutgoing];
-            int rays = scatterAt(at, flight.path.ray.w, flight.path.objects, outgoing);
+            int rays = scatterAt(at, corner.path.ray.w, corner.path.objects, outgoing);
             hit.onward = vec4(outgoing[0].w, outgoing[0].departs);
             hit.back = vec4(outgoing[1].w, outgoing[1].departs);
             hit.mirrored = vec4(rays > 1 ? outgoing[1].share : 1.0, outgoing[1].tint);
             hit.after.z = 1u;
         }
     }
-    hit.end = cornerOf(flight);
-    hit.depth = depthOf(flight);
+    hit.end = cornerOf(corner);
+    hit.depth = depthOf(corner);
     return hit;
 }
 
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= 4u * params.list.x) return;
-    uint corner = 4u * params.list.y + item;
-    bool single = patches[corner >> 2u].flux.w == 1.0;
-    bool ended = patches[corner >> 2u].state.y == kFrontEnds;
-    if (ended || (single && (corner & 3u) != 0u)) return;
-    Flight flight = flightFrom(before[corner]);
-    fly(flight, params.time.x, kObjects > 0 ? params.time.y : 0.0);
-    after[corner] = cornerOf(flight);
-    if (kMedium) depths[item] = depthOf(flight);
+    uint number = 4u * params.list.y + item;
+    bool single = patches[number >> 2u].flux.w == 1.0;
+    bool ended = patches[number >> 2u].state.y == kFrontEnds;
+    if (ended || (single && (number & 3u) != 0u)) return;
+    CornerPath corner = pathOf(before[number]);
+    propagate(corner, params.time.x, kObjects > 0 ? params.time.y : 0.0);
+    after[number] = cornerOf(corner);
+    if (kMedium) depths[item] = depthOf(corner);
     if (kMeetsAnything) {
         // A single ray has no other corners to agree with.
-        if (!single && mayMeet(flight))
-            fly(flight, max(flight.clock, params.time.x) + params.time.y, 0.0);
-        hits[item] = hitFrom(flight);
+        if (!single && mayMeet(corner))
+            propagate(corner, max(corner.clock, params.time.x) + params.time.y, 0.0);
+        hits[item] = hitFrom(corner);
     }
 }

@@ -89,10 +89,10 @@ const int kFrontPatchesBuffer = 1;  // FrontPatch
 const int kFrontDepthsBuffer = 2;   // FrontDepth, of the corners of some thousand patches
 const int kFrontHitsBuffer = 3;     // FrontHit of the same
 const int kFrontBacksBuffer = 5;    // FrontBack, four a patch
-const int kFrontBooksBuffer = 6;    // FrontBooks
+const int kFrontEnergyBuffer = 6;    // FrontEnergy
 const int kFrontCountersBuffer = 7; // see front_params.h
 const int kFrontPlacesBuffer = 8;   // new patches that each patch makes; then how many are before them
-const int kFrontPackedBuffer = 11;  // front_pack.comp: FrontPatch, of those that go on
+const int kFrontCompactedBuffer = 11; // front_compact.comp: FrontPatch, of those that go on
 const int kScanCountsBuffer = 0;    // scan.comp: counts, then what is before each
 const int kScanSumsBuffer = 1;      // the same of runs of them
 

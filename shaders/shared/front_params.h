@@ -80,8 +80,8 @@ const int kFrontEnded = 2;    // patches
 const int kFrontChanged = 3;  // not 0 if some patch became others
 const int kFrontCounts = 4;
 
-// The books of a slot of patches.
-struct FrontBooks {
+// What became of the flux of a slot of patches.
+struct FrontEnergy {
     vec4 absorbed; // flux, in cells; w: steps of patches
     vec4 scattered; // w: deposits
     vec4 escaped;

@@ -12,7 +12,7 @@ layout(std140, binding = kParamsBlock) uniform Params { FrontParams params; };
 layout(std430, binding = kFrontBeforeBuffer) readonly buffer Before { FrontCorner before[]; };
 layout(std430, binding = kFrontAfterBuffer) writeonly buffer After { FrontCorner after[]; };
 layout(std430, binding = kFrontPatchesBuffer) readonly buffer Patches { FrontPatch patches[]; };
-layout(std430, binding = kFrontPackedBuffer) writeonly buffer Packed { FrontPatch together[]; };
+layout(std430, binding = kFrontCompactedBuffer) writeonly buffer Compacted { FrontPatch compacted[]; };
 layout(std430, binding = kFrontPlacesBuffer) buffer Places { uint places[]; };
 
 void main() {
@@ -23,7 +23,7 @@ void main() {
         places[number] = goes ? 1u : 0u;
     } else if (goes) {
         uint place = places[number];
-        together[place] = patches[number];
+        compacted[place] = patches[number];
         for (uint i = 0u; i < 4u; ++i) after[4u * place + i] = before[4u * number + i];
     }
 }
