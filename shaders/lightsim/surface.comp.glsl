@@ -29,8 +29,13 @@ float opacityAt(vec3 x) {
 vec4 boundaryAt(int k, vec3 x) {
     if (kObjects > 0) return distanceAt(k, x);
     vec3 normal = opaqueNormalAt(x);
+    float here = opacityAt(x);
     float slope = 2.0 * (opacityAt(x - 0.25 * normal) - opacityAt(x + 0.25 * normal));
-    return vec4(normal, (0.5 - opacityAt(x)) / max(slope, 1.0e-3));
+    float distance = (0.5 - here) / max(slope, 1.0e-3);
+    // Opacity bends at voxels' middles: what it is there tells how far to trust the slope.
+    float there = opacityAt(x - clamp(distance, -2.0, 2.0) * normal);
+    float fall = abs(here - there);
+    return vec4(normal, fall > 1.0e-3 ? clamp(distance, -2.0, 2.0) * abs(here - 0.5) / fall : distance);
 }
 
 ObjectSet objectsHolding(vec3 x) {
