@@ -78,14 +78,14 @@ void gather(SurfacePatches& patches, const SurfacePatch& part) {
     patches.ofFine.push_back(static_cast<std::uint32_t>(i));
 }
 
-SoftLight::SoftLight(const ivec3& size, SurfacePatches patches, double photon)
+BouncedLight::BouncedLight(const ivec3& size, SurfacePatches patches, double photon)
     : mSize(size), mPatches(std::move(patches)), mFirst(mPatches.all.size() + 1) {
     for (const auto& link : mPatches.links) ++mFirst[link.first + 1];
     for (size_t i = 1; i < mFirst.size(); ++i) mFirst[i] += mFirst[i - 1];
     share(photon);
 }
 
-void SoftLight::share(double photon) {
+void BouncedLight::share(double photon) {
     using Patches = std::vector<SurfacePatch>;
     const auto shared = [&](const Patches& patches) {
         Patches sums = patches;
@@ -118,7 +118,7 @@ void SoftLight::share(double photon) {
     }
 }
 
-LightAtPoint SoftLight::about(std::uint32_t patch, const vec3& x) const {
+LightAtPoint BouncedLight::about(std::uint32_t patch, const vec3& x) const {
     // Falls to 0 where it leaves the voxels next to the patch's.
     SurfacePatch sum;
     const auto take = [&](const SurfacePatch& one) {
@@ -131,12 +131,12 @@ LightAtPoint SoftLight::about(std::uint32_t patch, const vec3& x) const {
     return {sum.power / sum.area, sum.flow / sum.area};
 }
 
-LightAtPoint SoftLight::ofFine(std::uint32_t number, const vec3& x) const {
+LightAtPoint BouncedLight::ofFine(std::uint32_t number, const vec3& x) const {
     return about(mPatches.ofFine[number], x);
 }
 
 /// That which faces the point's way best, of the voxels next to it.
-std::uint32_t SoftLight::patchNear(const vec3& x, const vec3& normal) const {
+std::uint32_t BouncedLight::patchNear(const vec3& x, const vec3& normal) const {
     // As floats: whole numbers may not hold a place far off.
     const vec3 far = glm::floor(x + 0.5F);
     if (far != glm::clamp(far, vec3(-1), vec3(mSize))) return kNoPatch;
@@ -163,7 +163,7 @@ std::uint32_t SoftLight::patchNear(const vec3& x, const vec3& normal) const {
     return best;
 }
 
-LightAtPoint SoftLight::at(const vec3& x, const vec3& normal) const {
+LightAtPoint BouncedLight::at(const vec3& x, const vec3& normal) const {
     const std::uint32_t patch = patchNear(x, normal);
     return patch == kNoPatch ? LightAtPoint{} : about(patch, x);
 }

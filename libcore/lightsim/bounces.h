@@ -38,11 +38,11 @@ void gather(SurfacePatches& patches, const SurfacePatch& part);
 /// The irradiance that patches get, where photons are few shared out along the surface, from voxel
 /// to voxel. Power and area are shared out apart, so that it does not fall off where a surface
 /// ends.
-class SoftLight {
+class BouncedLight {
 public:
     /// In a domain of that many voxels. `photon` is what one brings to a voxel's face at most
     /// [W/m²].
-    SoftLight(const glm::ivec3& size, SurfacePatches patches, double photon);
+    BouncedLight(const glm::ivec3& size, SurfacePatches patches, double photon);
 
     /// At a point [voxel] of a surface voxel.
     LightAtPoint ofFine(std::uint32_t number, const glm::vec3& x) const;

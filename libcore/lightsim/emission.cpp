@@ -40,7 +40,8 @@ std::vector<Part> interleaved(const Window& window, unsigned number) {
     return parts;
 }
 
-/// A place in a pixel that differs from source to source of a light; 0 of the first.
+/// How far the pixels of a light's sources are shifted, so that photons of many fill each other's
+/// gaps; 0 of the first.
 dvec2 shiftOf(unsigned number) {
     return glm::fract(static_cast<double>(number) * dvec2(0.7548776662466927, 0.5698402909980532));
 }
@@ -87,7 +88,7 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
       mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
       mTarget(mDomain), mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
-      mManyObjects(scene::areMany(plan.scene.objects)), mManySources(plan.sourcesDiffer),
+      mManyObjects(scene::areMany(plan.scene.objects)), mSourcesDiffer(plan.sourcesDiffer),
       mStartsOnDomain(params.proxy.empty()) {
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
@@ -111,7 +112,7 @@ std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Pa
     // The plastic number's powers spread successive seeds evenly over a pixel.
     const dvec2 seeded =
         static_cast<double>(params.seed) * dvec2(0.7548776662466927, 0.5698402909980532);
-    const auto count = static_cast<std::int64_t>(sources.size());
+    const auto count = std::max<std::int64_t>(static_cast<std::int64_t>(sources.size()), 1);
     const MapDetail detail{
         params.photons > 0 ? std::max<std::int64_t>(params.photons / count, 1) : 0,
         kPhotonEdge / receivers * std::sqrt(static_cast<double>(count)), kMostPhotons / count};
@@ -159,7 +160,7 @@ void Emission::emit(gpu::Device& device, const Part& part, std::int64_t first, P
     values.up = vec4(window.up, 0);
     values.forward = vec4(window.forward, 0);
     values.window = vec4(window.low, window.extent);
-    const bool onFaces = mManySources && mStartsOnDomain;
+    const bool onFaces = mSourcesDiffer && mStartsOnDomain;
     values.origin = vec4(window.origin, window.startsAtLight ? 1 : onFaces ? 2 : 0);
     values.low = vec4(mDomain.low, 0);
     values.high = vec4(mDomain.high, 0);
@@ -168,9 +169,9 @@ void Emission::emit(gpu::Device& device, const Part& part, std::int64_t first, P
                        static_cast<int>(first));
     values.batch = part.place;
     values.axis = axisOf(window.source);
-    // Photons of many points fill each other's gaps; parallel ones do by their maps' shifts.
-    const bool shifts = window.point && (onFaces || window.startsAtLight) && mManySources;
-    const dvec2 inPixel = shifts ? shiftOf(part.number) : dvec2(0.5);
+    // Windows of points are not shifted: their rays are, within the pixels.
+    const bool shifts = window.point && (onFaces || window.startsAtLight);
+    const dvec2 inPixel = shifts ? glm::fract(0.5 + shiftOf(part.number)) : dvec2(0.5);
     values.cone = coneOf(window.source);
     values.cone.z = static_cast<float>(inPixel.x);
     values.cone.w = static_cast<float>(inPixel.y);

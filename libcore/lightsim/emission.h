@@ -50,7 +50,7 @@ private:
     double mVoxelSize;
     std::uint32_t mSeed = 0;
     bool mManyObjects;    ///< more than a photon's own bits tell
-    bool mManySources;    ///< that stand for a light
+    bool mSourcesDiffer;  ///< in weight, or by direction
     bool mStartsOnDomain; ///< there is no proxy
 };
 

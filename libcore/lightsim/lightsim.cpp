@@ -306,8 +306,10 @@ void sendLight(Run& run, const Light& light, const Progress& progress) {
         sendEach(
             sources(Method::wavefront), next(),
             [&](const Source& source, const Progress& part) { sendFronts(run, source, part); });
-    if (run.plan.photons) sendPhotons(run, sources(Method::photons), false, next());
-    if (run.plan.bounces > 0) sendPhotons(run, sources(Method::photons), true, next());
+    if (!run.plan.sendsPhotons()) return;
+    const std::vector<Source> all = sources(Method::photons);
+    if (run.plan.photons) sendPhotons(run, all, false, next());
+    if (run.plan.bounces > 0) sendPhotons(run, all, true, next());
 }
 
 } // namespace
@@ -335,8 +337,7 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
         const Result light = run.receivers.finish(device, plan, params, stats);
         take(k, light);
         add(sum, light);
-        if (k + 1 < params.lights.size())
-            run.receivers = Receivers(device, plan, params, run.transport, run.media, profiler);
+        if (k + 1 < params.lights.size()) run.receivers.renew(device, plan, params);
     }
     tellDropped(stats, run.dropped);
     if (plan.bounces > 0) tellLeft(stats, run.left);

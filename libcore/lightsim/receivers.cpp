@@ -12,11 +12,11 @@ namespace {
 using glm::vec3;
 
 /// What bounces falls on fine voxels, too.
-void addSoft(volume::FineGrid& irradiance, const SoftLight& soft) {
+void addBounced(volume::FineGrid& irradiance, const BouncedLight& bounced) {
     tbb::parallel_for(size_t{0}, irradiance.voxels.size(), [&](size_t i) {
         const vec3 x =
             (vec3(irradiance.voxels[i]) + 0.5F) / static_cast<float>(irradiance.detail) - 0.5F;
-        irradiance.values[i] += soft.ofFine(static_cast<std::uint32_t>(i), x).irradiance;
+        irradiance.values[i] += bounced.ofFine(static_cast<std::uint32_t>(i), x).irradiance;
     });
 }
 
@@ -26,8 +26,13 @@ Receivers::Receivers(gpu::Device& device, const Plan& plan, const Params& params
                      const scene::Transport& transport, const Media& media, gpu::Profiler& profiler)
     : mPhotonsLand(!plan.beams), mBounces(plan.bounces > 0) {
     if (plan.receivesInVolume()) mVoxels.emplace(device, plan, params);
-    if (!plan.surfaces.empty())
-        mSurfaces.emplace(device, plan, plan.surfaces, transport, media, profiler);
+    if (!plan.surfaces.empty()) mSurfaces.emplace(device, plan, transport, media, profiler);
+}
+
+void Receivers::renew(gpu::Device& device, const Plan& plan, const Params& params) {
+    if (mVoxels) mVoxels.emplace(device, plan, params);
+    if (mSurfaces) mSurfaces->renew(device);
+    mPhotonPower = 0;
 }
 
 void Receivers::bind() const {
@@ -48,7 +53,7 @@ void Receivers::resolve(gpu::Device& device, const Unit& of, double unit, bool b
         mPhotonPower = std::max(mPhotonPower, of.power * (of.rgb.x + of.rgb.y + of.rgb.z) / 3);
 }
 
-SoftLight Receivers::takeBounced(const Plan& plan) {
+BouncedLight Receivers::takeBounced(const Plan& plan) {
     const double edge = plan.scene.voxelSize();
     return {plan.scene.size(), mSurfaces->takeBounced(), mPhotonPower / (edge * edge)};
 }
@@ -57,11 +62,11 @@ void Receivers::readPoints(gpu::Device& device, const Plan& plan) {
     std::vector<LightAtPoint> lights =
         mSurfaces->readPoints(device, plan.points, plan.scene.worldFromVoxelTurn());
     if (mBounces) {
-        const SoftLight soft = takeBounced(plan);
+        const BouncedLight bounced = takeBounced(plan);
         const glm::mat3 turn(plan.scene.worldFromVoxelTurn());
         for (size_t i = 0; i < lights.size(); ++i) {
             if (plan.points[i].normal == vec3(0)) continue;
-            const LightAtPoint more = soft.at(plan.points[i].place, plan.points[i].normal);
+            const LightAtPoint more = bounced.at(plan.points[i].place, plan.points[i].normal);
             lights[i].irradiance += more.irradiance;
             lights[i].flow += turn * more.flow;
         }
@@ -82,7 +87,7 @@ Result Receivers::finish(gpu::Device& device, const Plan& plan, const Params& pa
     if (mVoxels) result = mVoxels->download(plan);
     if (mSurfaces && plan.points.empty()) {
         result.irradiance = mSurfaces->finish(device);
-        if (mBounces) addSoft(result.irradiance, takeBounced(plan));
+        if (mBounces) addBounced(result.irradiance, takeBounced(plan));
     }
     if (mSurfaces && !plan.points.empty() && !params.lightsApart) readPoints(device, plan);
     result.points = std::move(mPoints);

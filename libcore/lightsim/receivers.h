@@ -24,13 +24,15 @@ public:
     /// stands for a voxel's length at weight 1.
     void resolve(gpu::Device& device, const Unit& of, double unit, bool bounced);
     SurfaceReceiver& surfaces() { return *mSurfaces; }
+    /// After finish(): what comes next is received anew.
+    void renew(gpu::Device& device, const Plan& plan, const Params& params);
     /// The light of points since they were read last.
     void readPoints(gpu::Device& device, const Plan& plan);
     /// After the last batch.
     Result finish(gpu::Device& device, const Plan& plan, const Params& params, Stats& stats);
 
 private:
-    SoftLight takeBounced(const Plan& plan);
+    BouncedLight takeBounced(const Plan& plan);
 
     std::optional<VoxelReceiver> mVoxels;
     std::optional<SurfaceReceiver> mSurfaces;

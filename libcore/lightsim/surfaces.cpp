@@ -71,8 +71,8 @@ std::int64_t numberOf(const scene::SurfaceVoxels& list, const ivec3& fine) {
 } // namespace
 
 SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
-                                 const OpaqueSurfaces& surfaces, const scene::Transport& transport,
-                                 const Media& media, gpu::Profiler& profiler)
+                                 const scene::Transport& transport, const Media& media,
+                                 gpu::Profiler& profiler)
     : mCollect(device, "lightsim/collect.comp.glsl",
                {{"CHANNELS", plan.tracedChannels()},
                 {"FLUENCE", plan.fluenceChannels()},
@@ -82,6 +82,7 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
       mBlock(device, sizeof(LayoutParams)), mChannels(plan.tracedChannels()),
       mStored(plan.fluenceChannels()), mFlow(plan.sumsFlow()), mVoxelSize(plan.scene.voxelSize()) {
     if (mFlow) mReader.emplace(device, mStored);
+    const OpaqueSurfaces& surfaces = plan.surfaces;
     const int detail = surfaces.detail, words = scene::maskWords(detail);
     transport.bind();
     media.bind();
@@ -119,16 +120,20 @@ SurfaceReceiver::SurfaceReceiver(gpu::Device& device, const Plan& plan,
     profiler.end();
     device.check("surface voxels");
     const int flow = mFlow ? 3 : 0;
-    mSums = gpu::Buffer(device, 4 * std::max<std::int64_t>(mVoxels.count, 1) * (mChannels + flow));
     mPower = gpu::Texture(device, rowsFor(mVoxels.count, mStored + flow), gpu::TexelFormat::r32f,
                           gpu::Filter::nearest);
-    mPower.clear();
-    if (plan.bounces > 0) {
+    if (plan.bounces > 0)
         mBounced =
             gpu::Texture(device, mPower.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);
-        mBounced.clear();
-    }
+    renew(device);
+}
+
+void SurfaceReceiver::renew(gpu::Device& device) {
+    const std::int64_t planes = mChannels + (mFlow ? 3 : 0);
+    mSums = gpu::Buffer(device, 4 * std::max<std::int64_t>(mVoxels.count, 1) * planes);
     clearSums();
+    mPower.clear();
+    if (mBounced.name() != 0) mBounced.clear();
 }
 
 void SurfaceReceiver::bind() const {

@@ -22,8 +22,8 @@ class SurfaceReceiver {
 public:
     SurfaceReceiver() = default;
     /// Finds the surface voxels and how much of a surface each has.
-    SurfaceReceiver(gpu::Device& device, const Plan& plan, const OpaqueSurfaces& surfaces,
-                    const scene::Transport& transport, const Media& media, gpu::Profiler& profiler);
+    SurfaceReceiver(gpu::Device& device, const Plan& plan, const scene::Transport& transport,
+                    const Media& media, gpu::Profiler& profiler);
 
     /// What power is added to, and the table of surface voxels.
     void bind() const;
@@ -34,8 +34,10 @@ public:
     /// the light's, `unit` of fixed point stands for `power` of it [m² or sr].
     void collect(gpu::Device& device, const glm::dvec3& rgb, double power, double unit,
                  bool bounced = false);
-    /// Power over area, after which nothing more is received.
+    /// Power over area, after which nothing more is received until renew().
     volume::FineGrid finish(gpu::Device& device);
+    /// What comes next is summed anew.
+    void renew(gpu::Device& device);
     /// The light of points, flow turned to the world; what comes after is summed anew.
     std::vector<LightAtPoint> readPoints(gpu::Device& device,
                                          const std::vector<PointOnSurface>& points,
