@@ -45,6 +45,8 @@ Json measureSteps(const Settings& settings);
 /// Irradiance on a floor under a ball of glass and under waves, by beams and by photons, against
 /// the exact one.
 Json measureSurfaces(const Settings& settings);
+/// Fluence by wavefronts and by photons, through a lens and balls, against that of 2^24 photons.
+Json measureFronts(const Settings& settings);
 /// Beams under waves with and without their hierarchy: Barczak and Olano's tables 1 and 2.
 Json measureHierarchy(const Settings& settings);
 /// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.

@@ -35,7 +35,7 @@ void printTable(const char* title, const Json& rows) {
 int main(int argc, char** argv) {
     Settings settings;
     settings.device = "auto";
-    std::string json, parts = "kernels,sharp,stages,steps,surfaces,hierarchy,tables";
+    std::string json, parts = "kernels,sharp,stages,steps,surfaces,fronts,hierarchy,tables";
     CLI::App app("Times the toolchain.", "bench");
     app.add_option("--bin", settings.bin, "folder of the tools")->required();
     app.add_option("--work", settings.work, "folder for scratch files")->required();
@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     app.add_option("--device", settings.device, "as the tools' option");
     app.add_option("--bunny", settings.bunny, "mesh for table 2");
     app.add_option("--repeats", settings.repeats, "of each measurement");
-    app.add_option("--parts", parts, "which of kernels,sharp,stages,steps,surfaces,tables");
+    app.add_option("--parts", parts, "which of kernels,sharp,stages,steps,surfaces,fronts,hierarchy,tables");
     CLI11_PARSE(app, argc, argv);
     try {
         std::filesystem::create_directories(settings.work);
@@ -69,6 +69,10 @@ int main(int argc, char** argv) {
             result["surfaces"] = measureSurfaces(settings);
             printTable("light on a floor under a ball of glass and under waves",
                        result["surfaces"]);
+        }
+        if (parts.find("fronts") != parts.npos) {
+            result["fronts"] = measureFronts(settings);
+            printTable("light in volumes by wavefronts and by photons", result["fronts"]);
         }
         if (parts.find("hierarchy") != parts.npos) {
             result["hierarchy"] = measureHierarchy(settings);
