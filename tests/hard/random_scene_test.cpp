@@ -208,6 +208,51 @@ TEST(RandomScenes, AreLitAndSeenAndRepeat) {
     });
 }
 
+TEST(RandomScenes, AreLitByLightsOfEveryKindAndMethod) {
+    using lightsim::Light;
+    alwaysOf(16, [] {
+        const volume::Volume scene = drawnScene();
+        Light light;
+        light.kind = *rc::gen::element(Light::Kind::directional, Light::Kind::spot,
+                                       Light::Kind::rect, Light::Kind::sphere);
+        light.vector =
+            light.kind == Light::Kind::directional ? drawnDirection() : drawnPoint(scene);
+        light.rgb = drawnRgb(10);
+        light.axis = drawnDirection();
+        light.angle = drawn(1, 89);
+        light.soft = drawn(0, light.angle);
+        light.radius = scene.frame().voxelSize * drawn(0.1, 10);
+        light.edges = {light.radius * light.axis, light.radius * across(light.axis)};
+        lightsim::Params params = lightsim::paramsOf({light}, *rc::gen::inRange(1, 3000));
+        params.outputs = lightsim::Output::both | lightsim::Output::irradiance;
+        params.tracing = drawnTracing();
+        params.lightSamples = *rc::gen::inRange(1, 5);
+        params.bounces = *rc::gen::inRange(0, 3);
+        params.surfaceDetail = *rc::gen::inRange(1, 3);
+        params.maxSteps = 1 << 12;
+        params.method = *rc::gen::element(lightsim::Method::automatic, lightsim::Method::photons,
+                                          lightsim::Method::wavefront);
+        params.check();
+        const lightsim::Plan plan = lightsim::makePlan(scene, params);
+        Stats stats, again;
+        const lightsim::Result first = lightsim::simulate(device(), plan, params, stats, {}),
+                               second = lightsim::simulate(device(), plan, params, again, {});
+        for (const float value : first.fluence.values)
+            ASSERT_TRUE(std::isfinite(value) && value >= 0) << value;
+        for (const float value : first.direction.values) ASSERT_LE(std::abs(value), 1 + 1e-5);
+        for (const glm::vec3& value : first.irradiance.values)
+            for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(value[c]) && value[c] >= 0);
+        expectSame(first.fluence.values, second.fluence.values, "fluence");
+        expectSame(first.direction.values, second.direction.values, "direction");
+        ASSERT_EQ(first.irradiance.values, second.irradiance.values);
+        const Energy& energy = stats.energy;
+        for (size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(energy.absorbed[c] + energy.scattered[c] + energy.escaped[c] +
+                            energy.lost[c],
+                        energy.entered[c], 1e-4 * energy.entered[c]);
+    });
+}
+
 TEST(RandomScenes, BlurredBoundariesTendToSharpOnes) {
     // Balls of any index seen from anywhere: an edge of half the width bends rays that stay off the
     // rim less than half as far from Snell's law.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/glass_volume.h"
 #include "support/lit.h"
+#include "support/opaque_volume.h"
 
 #include <numbers>
 
@@ -13,17 +14,6 @@ using glm::ivec3;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// Opaque material of an albedo where the distance is negative, in empty space.
-TestVolume opaqueScene(const ivec3& size, const std::function<double(dvec3)>& distance,
-                       const dvec3& albedo, bool sharp = true) {
-    TestVolume scene{size};
-    if (sharp) scene.add("sdf", distance, 1e3);
-    scene.constant("ior", 1);
-    scene.add("opacity", [=](dvec3 p) { return distance(p) < 0 ? 1.0 : 0.0; });
-    scene.constantVector("albedo", albedo);
-    return scene;
-}
 
 /// Negative outside a box about the middle of that many voxels, whose half edge that is.
 std::function<double(dvec3)> hollow(double middle, double half) {
@@ -91,8 +81,8 @@ bool isCeilingOverSpot(dvec3 x) {
 } // namespace
 
 /// What the walls of a closed box of albedo ½ get in all, by what they get directly.
-void expectSeries(bool sharp, int detail, double off) {
-    const TestVolume scene = opaqueScene(ivec3(20), hollow(10, 5.7), dvec3(0.5), sharp);
+void expectSeries(Edge edge, int detail, double off) {
+    const TestVolume scene = opaqueVolume(ivec3(20), hollow(10, 5.7), dvec3(0.5), edge);
     const auto with = [&](int bounces) {
         Params params = bouncing(parseLight("point:10,10.5,9"), bounces);
         params.surfaceDetail = detail;
@@ -113,17 +103,17 @@ void expectSeries(bool sharp, int detail, double off) {
 }
 
 TEST(LightBounces, AClosedBoxAddsUpTheSeries) {
-    expectSeries(true, 1, 0.01);
+    expectSeries(Edge::sharp, 1, 0.01);
 }
 
 TEST(LightBounces, ABlurredBoxAddsUpTheSeries) {
     // Its edges are cut off, which are a larger share of its surface voxels than of its walls.
-    expectSeries(false, 2, 0.02);
+    expectSeries(Edge::voxels, 2, 0.02);
 }
 
 TEST(LightBounces, TheFirstIsThatOfAMattPoint) {
     const dvec3 albedo(0.8, 0.4, 0.2);
-    const TestVolume scene = opaqueScene(ivec3(24), plates, albedo);
+    const TestVolume scene = opaqueVolume(ivec3(24), plates, albedo);
     const Light light = spotOnFloor();
     const Lit lit(scene.volume(), bouncing(light, 1, 1 << 20)); // so many are not shared out
     const dvec3 power = powerOf(light);
@@ -160,7 +150,7 @@ TEST(LightBounces, GlassOnItsWayTakesFresnelsShare) {
 TEST(LightBounces, AThinWallLetsNoneThrough) {
     // The plates and a wall of two voxels between their halves, light on one side of it.
     const auto distance = [](dvec3 p) { return std::min(plates(p), std::abs(p.x - 15.2) - 1); };
-    const TestVolume scene = opaqueScene(ivec3(24), distance, dvec3(0.9));
+    const TestVolume scene = opaqueVolume(ivec3(24), distance, dvec3(0.9));
     const Lit lit(scene.volume(), bouncing(parseLight("point:8,12,12"), 3));
     const auto beyond = [](dvec3 x) {
         return x.x > 15.7 && std::abs(x.y - 12) < 8.2 && x.x < 23 && x.z > 1 && x.z < 23;
@@ -173,7 +163,7 @@ TEST(LightBounces, AddToWhatVolumesScatter) {
     // A haze in a hollow ball with a lamp in its middle: walls of albedo ρ get Φ/4πR²/(1 − ρ), and
     // send 4ρ of that everywhere.
     const auto ball = [](dvec3 p) { return 7.3 - glm::distance(p, dvec3(10)); };
-    TestVolume scene = opaqueScene(ivec3(20), ball, dvec3(0.5));
+    TestVolume scene = opaqueVolume(ivec3(20), ball, dvec3(0.5));
     scene.constantVector("scattering", dvec3(1e-4));
     Params params = bouncing(parseLight("point:10,10,10"), 0, 1 << 16);
     params.outputs = Output::both | Output::irradiance;
@@ -189,7 +179,7 @@ TEST(LightBounces, AddToWhatVolumesScatter) {
 }
 
 TEST(LightBounces, PointsGetThem) {
-    const TestVolume scene = opaqueScene(ivec3(24), plates, dvec3(0.5));
+    const TestVolume scene = opaqueVolume(ivec3(24), plates, dvec3(0.5));
     Params params = bouncing(spotOnFloor(), 1, 1 << 18);
     params.points.width = 1;
     params.points.places = {dvec3(12, 19.7, 12)};
@@ -206,14 +196,14 @@ TEST(LightBounces, PointsGetThem) {
 }
 
 TEST(LightBounces, TheSameRunGivesTheSameBytesAndNoneChangesNothing) {
-    const TestVolume scene = opaqueScene(ivec3(20), hollow(10, 5.7), dvec3(0.5));
+    const TestVolume scene = opaqueVolume(ivec3(20), hollow(10, 5.7), dvec3(0.5));
     const Light lamp = parseLight("point:10,10,9");
     const auto with = [&](int bounces) {
         return Lit(scene.volume(), bouncing(lamp, bounces, 1 << 14)).result.irradiance.values;
     };
     EXPECT_EQ(with(2), with(2));
     // Black walls send nothing on.
-    const TestVolume black = opaqueScene(ivec3(20), hollow(10, 5.7), dvec3(0));
+    const TestVolume black = opaqueVolume(ivec3(20), hollow(10, 5.7), dvec3(0));
     const Lit none(black.volume(), bouncing(lamp, 5, 1 << 14));
     EXPECT_EQ(none.plan.bounces, 0);
     EXPECT_EQ(none.result.irradiance.values, with(0));

@@ -1,6 +1,7 @@
 // Light that opaque surfaces send on, beside closed forms: form factors, hollow balls and lone
 // ones. SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/lit.h"
+#include "support/opaque_volume.h"
 
 #include <numbers>
 
@@ -12,24 +13,6 @@ using glm::ivec3;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-using Distance = std::function<double(dvec3)>;
-
-enum class Edge {
-    sharp,  ///< a signed distance
-    blurred ///< opacity that falls over two voxels
-};
-
-/// Opaque where the distance is negative, in empty space.
-TestVolume opaqueScene(const ivec3& size, const Distance& distance, double albedo, Edge edge) {
-    TestVolume scene{size};
-    if (edge == Edge::sharp) scene.add("sdf", distance, 1e3);
-    const double fall = edge == Edge::sharp ? 1e6 : 0.5;
-    scene.constant("ior", 1);
-    scene.add("opacity", [=](dvec3 p) { return glm::clamp(0.5 - fall * distance(p), 0.0, 1.0); });
-    scene.constantVector("albedo", dvec3(albedo));
-    return scene;
-}
 
 Params bouncing(const Light& light, int bounces, int detail = 2, std::int64_t photons = 1 << 16) {
     Params params = paramsOf({light}, photons);
@@ -106,7 +89,7 @@ double corner(dvec3 p) {
 
 /// By what the wall gets more, in the mean over some of it, than by the form factor.
 double wallOverExact(std::int64_t photons, const std::function<bool(dvec3)>& wanted) {
-    const TestVolume scene = opaqueScene(ivec3(32), corner, 0.8, Edge::sharp);
+    const TestVolume scene = opaqueVolume(ivec3(32), corner, dvec3(0.8), Edge::sharp);
     const Light light = parseLight("spot:12,6,16:0,-1,0:12:12:1000");
     double found = 0, exact = 0;
     for (const Added& one : addedBy(scene, bouncing(light, 1, 2, photons))) {
@@ -127,7 +110,7 @@ TEST(BouncesTruth, AHollowBallIsLitEvenly) {
     // direction to follow from the last one's, the second would draw patterns.
     for (const Edge edge : {Edge::sharp, Edge::blurred}) {
         SCOPED_TRACE(edge == Edge::sharp ? "sharp" : "blurred");
-        const TestVolume scene = opaqueScene(ivec3(24), hollowBall, 0.5, edge);
+        const TestVolume scene = opaqueVolume(ivec3(24), hollowBall, dvec3(0.5), edge);
         // Blurred, walls are cut into voxels that photons stop at.
         const double off = edge == Edge::sharp ? 0.002 : 0.04;
         for (const int bounces : {1, 2}) {
@@ -143,7 +126,7 @@ TEST(BouncesTruth, AHollowBallIsLitEvenly) {
 }
 
 TEST(BouncesTruth, PointsGetWhatTheWallGets) {
-    const TestVolume scene = opaqueScene(ivec3(24), hollowBall, 0.5, Edge::sharp);
+    const TestVolume scene = opaqueVolume(ivec3(24), hollowBall, dvec3(0.5), Edge::sharp);
     Params params = bouncing(lamp(kMiddle), 2);
     params.points.width = 3;
     for (const dvec3& towards : {dvec3(1, 0, 0), dvec3(-1, 2, 1), dvec3(1, 1, -3)}) {
@@ -164,7 +147,7 @@ TEST(BouncesTruth, ALoneBallSendsNothingToItself) {
     for (const double radius : {3.2, 8.3}) {
         const auto ball = [&](dvec3 p) { return glm::distance(p, kMiddle) - radius; };
         const auto most = [&](Edge edge) {
-            const TestVolume scene = opaqueScene(ivec3(24), ball, 0.9, edge);
+            const TestVolume scene = opaqueVolume(ivec3(24), ball, dvec3(0.9), edge);
             return spreadOf(addedBy(scene, bouncing(beam({0.3, -1, 0.2}), 3)), anywhere).most;
         };
         EXPECT_EQ(most(Edge::sharp), 0);
@@ -198,7 +181,7 @@ TEST(BouncesTruth, AWallOfOneVoxelLetsNoneThrough) {
             const auto distance = [=](dvec3 p) {
                 return std::min(7.7 - std::abs(p.y - 12), std::abs(p.x - at) - 0.5);
             };
-            const TestVolume scene = opaqueScene(ivec3(24), distance, 0.9, edge);
+            const TestVolume scene = opaqueVolume(ivec3(24), distance, dvec3(0.9), edge);
             const std::vector<Added> added =
                 addedBy(scene, bouncing(lamp({8, 12, 12}), 2, 4, 1 << 14));
             const auto beside = [&](double from, double to) {
@@ -225,7 +208,8 @@ TEST(BouncesTruth, WhatVoxelsBoundGetsWhatDistancesBound) {
     };
     const double found = spreadOf(addedBy(cut, params), ceiling).mean;
     const double wanted =
-        spreadOf(addedBy(opaqueScene(ivec3(24), plates, 0.9, Edge::sharp), params), ceiling).mean;
+        spreadOf(addedBy(opaqueVolume(ivec3(24), plates, dvec3(0.9), Edge::sharp), params), ceiling)
+            .mean;
     EXPECT_GT(wanted, 0.5);
     EXPECT_NEAR(found, wanted, 0.02 * wanted);
 }
@@ -234,7 +218,7 @@ TEST(BouncesTruth, AThinPoleHasNoDarkSpecks) {
     const auto pole = [](dvec3 p) {
         return std::min(p.y - kFloor, std::hypot(p.x - 12.2, p.z - 12) - 0.8);
     };
-    const TestVolume scene = opaqueScene(ivec3(24), pole, 0.9, Edge::sharp);
+    const TestVolume scene = opaqueVolume(ivec3(24), pole, dvec3(0.9), Edge::sharp);
     const std::vector<Added> added = addedBy(scene, bouncing(beam({0, -1, 0}), 1, 4));
     const auto isPole = [](dvec3 x) { return x.y > 6 && x.y < 18; };
     const Spread spread = spreadOf(added, isPole);

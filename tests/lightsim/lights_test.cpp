@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "image/lat_long.h"
 #include "support/lit.h"
+#include "support/opaque_volume.h"
 
 #include <numbers>
 
@@ -17,12 +18,8 @@ constexpr double kPi = std::numbers::pi;
 
 /// A white, opaque floor up to y = 4.3 in empty space.
 TestVolume floorScene(const ivec3& size) {
-    const auto distance = [](dvec3 p) { return p.y - 4.3; };
-    TestVolume scene{size};
-    scene.add("sdf", distance, 1e3);
-    scene.constant("ior", 1);
-    scene.add("opacity", [=](dvec3 p) { return distance(p) < 0 ? 1.0 : 0.0; });
-    return scene;
+    return opaqueVolume(
+        size, [](dvec3 p) { return p.y - 4.3; }, dvec3(1));
 }
 
 /// Irradiance of the floor's upper side within two voxels of a place over the exact one, less 1.
@@ -292,6 +289,32 @@ TEST(Lights, AnEnvironmentsSunIsFoundWhereItIs) {
     params.lights[0].mapFromWorld = image::mapFromWorld(0, true);
     const Lit standing(scene.volume(), params);
     EXPECT_LT(glm::length(standing.direction({6, 6, 6}) + dvec3(towards.x, 0, towards.y)), 0.01);
+}
+
+TEST(Lights, ABlackEnvironmentGivesNothing) {
+    const Light night = environmentOf(8, 4, [](const dvec3&) { return glm::vec3(0); });
+    TestVolume scene = floorScene(ivec3(12));
+    Params params = onFloor(night);
+    params.outputs = Output::both | Output::irradiance;
+    params.bounces = 1;
+    for (const Method method : {Method::automatic, Method::photons, Method::wavefront}) {
+        params.method = method;
+        const Lit lit(scene.volume(), params);
+        EXPECT_EQ(lit.total(), 0);
+        EXPECT_EQ(errorAt(lit, dvec3(6, 4.3, 6), nothing), 0);
+    }
+}
+
+TEST(Lights, OneBesideAnExtendedOneIsWhatItIsAlone) {
+    // Photons of a point start in the middles of its pixels, whatever lights there are beside it.
+    const TestVolume scene = std::move(TestVolume(ivec3(12)).constant("ior", 1));
+    const Light lamp = parseLight("point:6,20,6:100");
+    const Lit alone(scene.volume(), paramsOf({lamp}, 1 << 14));
+    const Light dark = parseLight("sphere:6,6,6:1:0");
+    const Lit beside(scene.volume(), paramsOf({lamp, dark}, 1 << 14));
+    forEachVoxel(ivec3(12), [&](ivec3 p) {
+        ASSERT_NEAR(beside.fluence(p), alone.fluence(p), 1e-3 * alone.fluence(p));
+    });
 }
 
 TEST(Lights, TheSameRunGivesTheSameBytes) {

@@ -15,7 +15,8 @@ namespace {
 double takenBy(const Lit& lit, const scene::Values& sigma, int c = 0) {
     const double h = lit.plan.scene.voxelSize();
     double sum = 0;
-    forEachVoxel(lit.plan.scene.size(), [&](ivec3 p) { sum += lit.fluence(p, c) * sigma.at(p, c); });
+    forEachVoxel(lit.plan.scene.size(),
+                 [&](ivec3 p) { sum += lit.fluence(p, c) * sigma.at(p, c); });
     return sum * h * h * h;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/lit.h"
 #include "support/look.h"
+#include "support/opaque_volume.h"
 
 using namespace eikonal;
 using glm::dvec3;
@@ -15,12 +16,7 @@ TestVolume boxOf(const dvec3& low, const dvec3& high) {
         const dvec3 q = glm::max(low - p, p - high);
         return glm::length(glm::max(q, 0.0)) + std::min(std::max({q.x, q.y, q.z}), 0.0);
     };
-    TestVolume scene{ivec3(40)};
-    scene.add("sdf", distance, 1e3);
-    scene.constant("ior", 1);
-    scene.add("opacity", [=](dvec3 p) { return distance(p) < 0 ? 1.0 : 0.0; });
-    scene.constantVector("albedo", dvec3(0.8));
-    return scene;
+    return opaqueVolume(ivec3(40), distance, dvec3(0.8));
 }
 
 /// What the middle of the face that looks along `outward` shows, brightest pixel.
