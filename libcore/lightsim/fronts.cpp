@@ -105,8 +105,9 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
                                                                     1 << 24},
       mSink(params.seeFront), mWorldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
       mVoxelSize(plan.scene.voxelSize()), mOutside(plan.scene.index.background),
-      mThinTo(params.thinTo), mMostSteps(static_cast<unsigned>(params.maxSteps)),
-      mMeets(meetsAnything(plan)), mColour(plan.colour) {
+      mDispersion(plan.scene.index.backgroundDispersion), mThinTo(params.thinTo),
+      mMostSteps(static_cast<unsigned>(params.maxSteps)), mMeets(meetsAnything(plan)),
+      mColour(plan.colour) {
     if (mMeets)
         mHits = gpu::Buffer(device, 4 * kPart * static_cast<std::int64_t>(sizeof(FrontHit)));
     const double least = std::min<double>(plan.scene.index.least, mOutside);
@@ -124,8 +125,9 @@ Fronts::Fronts(gpu::Device& device, const Plan& plan, const Params& params)
     mParams.detail = vec4(kRays, 1.001 * kPatchEdge, kLeastEdge, 0);
 }
 
-std::vector<FrontBatch> Fronts::batchesOf(const Source& source) const {
-    return frontOf(source, mDomain, mDetail, mOutside);
+std::vector<FrontBatch> Fronts::batchesOf(const Source& source, double nanometres) const {
+    return frontOf(source, mDomain, mDetail,
+                   mOutside + mDispersion * optics::cauchyTerm(nanometres));
 }
 
 void Fronts::begin(const dvec3& rgb) {

@@ -18,8 +18,8 @@ class Fronts {
 public:
     Fronts(gpu::Device& device, const Plan& plan, const Params& params);
 
-    /// The front of a source.
-    std::vector<FrontBatch> batchesOf(const Source& source) const;
+    /// The front of a source, of light of that wavelength.
+    std::vector<FrontBatch> batchesOf(const Source& source, double nanometres) const;
 
     /// Before a source's batches: its RGB.
     void begin(const glm::dvec3& rgb);
@@ -57,7 +57,7 @@ private:
     FrontSink mSink;
     glm::dmat4 mWorldFromVoxel;
     glm::dvec3 mRgb{1};
-    double mVoxelSize, mTimeStep, mOutside, mThinTo;
+    double mVoxelSize, mTimeStep, mOutside, mDispersion, mThinTo;
     unsigned mMostSteps;
     bool mMeets; ///< boundaries, or opaque voxels
     bool mColour;

@@ -45,6 +45,7 @@ struct Run {
     std::optional<Beams> beams;
     std::optional<Fronts> fronts;
     Photons photons{};
+    std::vector<optics::Band> bands{};
     unsigned batches = 0;  ///< begun so far
     glm::dvec4 dropped{0}; ///< power, see droppedPower()
     double left = 0;       ///< the same, see leftPower()
@@ -106,6 +107,24 @@ Run begin(gpu::Device& device, const Plan& plan, const Params& params, Stats& st
     });
 }
 
+/// What a band has of a unit of white light.
+Unit ofBand(Unit unit, const optics::Band& band) {
+    unit.colour = unit.rgb / (unit.rgb.x + unit.rgb.y + unit.rgb.z);
+    unit.rgb *= band.middle.weight;
+    return unit;
+}
+
+/// Beams and fronts are of the band's middle wavelength alone, photons of all about it.
+void takeMiddle(Run& run, const optics::Band& band) {
+    run.transport.setLines(std::vector<optics::Line>(optics::kLinesPerBand, band.middle));
+}
+
+void takeSpread(Run& run, const optics::Band& band) {
+    std::vector<optics::Line> lines;
+    for (const double wavelength : band.spread) lines.push_back({wavelength, glm::dvec3(1)});
+    run.transport.setLines(lines);
+}
+
 /// Traces the photons emitted to the end, or until few are left. Returns how many are.
 std::uint32_t trace(Run& run, bool bounced, std::uint32_t emitted, double unit,
                     const Progress& progress) {
@@ -159,20 +178,20 @@ void sendBatch(Run& run, const Batch& batch, bool bounced, const Progress& progr
     throw InternalError("photons overflow a voxel's sum");
 }
 
-/// All photons of a light that these stand for. Bounced, they leave light only behind the first
-/// opaque surface that they meet.
-void sendPhotons(Run& run, const std::vector<Source>& sources, bool bounced,
-                 const Progress& progress) {
+/// All photons of a band of a light that these stand for. Bounced, they leave light only behind the
+/// first opaque surface that they meet.
+void sendPhotons(Run& run, const std::vector<Source>& sources, const optics::Band& band,
+                 bool bounced, const Progress& progress) {
     // What bounces is shared out over more than a voxel.
     const double receivers = bounced                       ? 0.5
                              : run.plan.receivesInVolume() ? 1
                                                            : run.plan.surfaces.detail;
-    const std::vector<Batch> batches = run.emission->batchesOf(sources, run.params, receivers);
+    std::vector<Batch> batches = run.emission->batchesOf(sources, run.params, receivers);
     PhotonTracer& tracer = bounced ? *run.bouncer : *run.tracer;
     const auto all = static_cast<double>(batches.size());
     for (size_t b = 0; b < batches.size(); ++b) {
-        const glm::dvec3& rgb = batches[b].unit.rgb;
-        tracer.begin(rgb / (rgb.x + rgb.y + rgb.z), ++run.batches);
+        batches[b].unit = ofBand(batches[b].unit, band);
+        tracer.begin(batches[b].unit.colour, ++run.batches);
         const auto begun = static_cast<double>(b);
         sendBatch(run, batches[b], bounced, partOf(progress, begun / all, (begun + 1) / all));
     }
@@ -208,14 +227,16 @@ void sendBeams(Run& run, const Window& window, const Beams::Batch& batch, const 
     throw InternalError("beams overflow a surface voxel's sum");
 }
 
-/// All beams of a source, of so many that stand for a light.
-void sendBeams(Run& run, const Source& source, size_t sources, const Progress& progress) {
+/// All beams of a band of a source, of so many that stand for a light.
+void sendBeams(Run& run, const Source& source, const optics::Band& band, size_t sources,
+               const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
     const std::vector<Window> windows = run.beams->windowsOf(source, sources);
     run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z));
     for (size_t w = 0; w < windows.size(); ++w) {
-        const Unit unit{source.rgb, windows[w].pixelArea() * (source.isPoint() ? 1.0 : h * h),
-                        source.isPoint()};
+        const Unit whole{source.rgb, windows[w].pixelArea() * (source.isPoint() ? 1.0 : h * h),
+                         source.isPoint()};
+        const Unit unit = ofBand(whole, band);
         const std::vector<Beams::Batch> batches = Beams::batchesOf(windows[w]);
         const double all = static_cast<double>(windows.size() * batches.size());
         for (size_t b = 0; b < batches.size(); ++b) {
@@ -246,15 +267,17 @@ bool sendFront(Run& run, const FrontBatch& front, const Unit& of, double unit,
     return true;
 }
 
-/// The wavefront of a source. Where a sum nears the end of its range a part of it is sent again
-/// with a smaller unit.
-void sendFronts(Run& run, const Source& source, const Progress& progress) {
+/// The wavefront of a band of a source. Where a sum nears the end of its range a part of it is sent
+/// again with a smaller unit.
+void sendFronts(Run& run, const Source& source, const optics::Band& band,
+                const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
-    const std::vector<FrontBatch> fronts = run.fronts->batchesOf(source);
+    const std::vector<FrontBatch> fronts = run.fronts->batchesOf(source, band.middle.wavelength);
     run.fronts->begin(source.rgb);
     for (size_t i = 0; i < fronts.size(); ++i) {
         const FrontBatch& front = fronts[i];
-        const Unit of{source.rgb, front.power * (front.point ? 1.0 : h * h), front.point};
+        const Unit of =
+            ofBand({source.rgb, front.power * (front.point ? 1.0 : h * h), front.point}, band);
         const auto begun = static_cast<double>(i), all = static_cast<double>(fronts.size());
         const Progress part = partOf(progress, begun / all, (begun + 1) / all);
         const double kLeast = 1.0 / 1024;
@@ -296,20 +319,40 @@ void sendLight(Run& run, const Light& light, const Progress& progress) {
         const double begun = done++;
         return partOf(progress, begun / passes, (begun + 1) / passes);
     };
+    const auto eachBand = [&](const Progress& part, const auto& send) {
+        const auto count = static_cast<double>(run.bands.size());
+        for (size_t b = 0; b < run.bands.size(); ++b) {
+            const auto begun = static_cast<double>(b);
+            send(run.bands[b], partOf(part, begun / count, (begun + 1) / count));
+        }
+    };
     if (beams) {
         const std::vector<Source> all = sources(Method::beams);
-        sendEach(all, next(), [&](const Source& source, const Progress& part) {
-            sendBeams(run, source, all.size(), part);
+        eachBand(next(), [&](const optics::Band& band, const Progress& rest) {
+            takeMiddle(run, band);
+            sendEach(all, rest, [&](const Source& source, const Progress& part) {
+                sendBeams(run, source, band, all.size(), part);
+            });
         });
     }
-    if (run.plan.wavefront)
-        sendEach(
-            sources(Method::wavefront), next(),
-            [&](const Source& source, const Progress& part) { sendFronts(run, source, part); });
+    if (run.plan.wavefront) {
+        const std::vector<Source> all = sources(Method::wavefront);
+        eachBand(next(), [&](const optics::Band& band, const Progress& rest) {
+            takeMiddle(run, band);
+            sendEach(all, rest, [&](const Source& source, const Progress& part) {
+                sendFronts(run, source, band, part);
+            });
+        });
+    }
     if (!run.plan.sendsPhotons()) return;
     const std::vector<Source> all = sources(Method::photons);
-    if (run.plan.photons) sendPhotons(run, all, false, next());
-    if (run.plan.bounces > 0) sendPhotons(run, all, true, next());
+    for (const bool bounced : {false, true}) {
+        if (bounced ? run.plan.bounces == 0 : !run.plan.photons) continue;
+        eachBand(next(), [&](const optics::Band& band, const Progress& part) {
+            takeSpread(run, band);
+            sendPhotons(run, all, band, bounced, part);
+        });
+    }
 }
 
 } // namespace
@@ -321,17 +364,13 @@ Result simulate(gpu::Device& device, const Plan& plan, const Params& params, Sta
     stats.hasEnergy = true;
     Run run = begin(device, plan, params, stats, profiler);
     const bool apart = params.lightsApart && plan.points.empty();
-    const std::vector<optics::Band> bands = optics::wholeLight();
-    const double parts = static_cast<double>(bands.size() * params.lights.size());
-    double done = 0;
+    run.bands = optics::bandsOf(params.tracing.wavelengths, plan.scene.disperses);
+    const auto parts = static_cast<double>(params.lights.size());
     Result sum;
     for (size_t k = 0; k < params.lights.size(); ++k) {
-        for (const optics::Band& band : bands) {
-            Light part = params.lights[k];
-            part.rgb *= band.weight;
-            sendLight(run, part, partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
-            ++done;
-        }
+        const auto done = static_cast<double>(k);
+        sendLight(run, params.lights[k],
+                  partOf(progress, 0.95 * done / parts, 0.95 * (done + 1) / parts));
         if (params.lightsApart && !apart) run.receivers.readPoints(device, plan);
         if (!apart) continue;
         const Result light = run.receivers.finish(device, plan, params, stats);

@@ -55,7 +55,10 @@ public:
     bool varies() const { return mPlan.bends || mDims; }
 
     void indices(int y, int z, float* out) const {
-        if (mPlan.bends) mPlan.scene.index.grid.copyRow(y, z, out);
+        const scene::Index& index = mPlan.scene.index;
+        // Of light that is bent most, where it matters.
+        if (mPlan.bends)
+            (index.dispersed.page.empty() ? index.grid : index.dispersed).copyRow(y, z, out);
     }
 
     /// σ_t of the channel that dims most [1/voxel].

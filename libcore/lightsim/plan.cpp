@@ -75,7 +75,7 @@ Effect outputEffect(const Plan& plan, const Params& params, const char* name, Ou
 }
 
 void listEffects(Plan& plan, const Params& params) {
-    const std::vector<Effect> all = scene::effectsOf(plan.scene, params.tracing.boundary);
+    const std::vector<Effect> all = scene::effectsOf(plan.scene, params.tracing);
     const bool sharp = plan.scene.sharp, runs = plan.outputs != Output::none;
     const auto add = [&plan](Effect effect) { plan.effects.push_back(std::move(effect)); };
     const auto named = [&](const std::string& name) {
@@ -125,7 +125,7 @@ void listEffects(Plan& plan, const Params& params) {
          : plan.attenuates    ? "the medium is grey"
                               : "nothing absorbs or scatters"});
     add(named("opaque"));
-    if (plan.scene.disperses) add(named("dispersion"));
+    add(nothing(named("dispersion")));
 }
 
 } // namespace
@@ -134,6 +134,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     Plan plan;
     scene::Wanted wanted;
     wanted.boundary = params.tracing.boundary;
+    wanted.wavelengths = params.tracing.wavelengths;
     wanted.onlyIfLightShows = params.automaticOutputs;
     wanted.surfaces = params.bounces > 0;
     plan.scene = scene::read(scene::Files(volume), wanted);

@@ -47,7 +47,7 @@ struct Plan {
     bool usesOctree() const { return (bends || !scene.sharp) && (sendsPhotons() || beams); }
     bool receivesInVolume() const { return wants(Output::fluence) || wants(Output::direction); }
     int tracedChannels() const { return colour ? 3 : 1; }
-    int fluenceChannels() const { return colour || colouredLight ? 3 : 1; }
+    int fluenceChannels() const { return colour || colouredLight || scene.disperses ? 3 : 1; }
     int directionChannels() const { return wants(Output::direction) ? 3 : 0; }
     bool sendsPhotons() const { return photons || bounces > 0; }
     bool sumsFlow() const { return !points.empty(); } ///< on surfaces

@@ -46,7 +46,7 @@ void Receivers::clear() {
 }
 
 void Receivers::resolve(gpu::Device& device, const Unit& of, double unit, bool bounced) {
-    if (mVoxels) mVoxels->resolve(device, of.rgb, of.power, unit);
+    if (mVoxels) mVoxels->resolve(device, of, unit);
     if (mSurfaces && (bounced || mPhotonsLand))
         mSurfaces->collect(device, of.rgb, of.power, unit, bounced);
     if (bounced)

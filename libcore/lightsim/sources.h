@@ -25,11 +25,13 @@ struct Source {
 /// The share of its intensity that a source sends in a direction; 1 of parallel rays.
 double shareTowards(const Source& source, const glm::dvec3& direction);
 
-/// What a photon, or a cell of beams, of weight 1 has: `power` [m² or sr] of a light's RGB.
+/// What a photon, or a cell of beams, of weight 1 has: `power` [m² or sr] of a light's RGB. A
+/// band's may be negative: see optics::whiteDensity().
 struct Unit {
     glm::dvec3 rgb{1};
     double power = 0;
-    bool isPoint = false; ///< of a light that has a place
+    bool isPoint = false;       ///< of a light that has a place
+    glm::dvec3 colour{1.0 / 3}; ///< of what is traced, RGB over their sum: rgb may be a part of it
 };
 
 /// What stays right where one direction stands for many.

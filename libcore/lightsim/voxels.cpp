@@ -124,12 +124,11 @@ void VoxelReceiver::dispatch(const gpu::Program& program) const {
     gpu::barrier();
 }
 
-void VoxelReceiver::resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit) {
+void VoxelReceiver::resolve(gpu::Device& device, const Unit& of, double unit) {
     // Track-length estimate: power × path length / voxel volume. [1/m² per unit of fixed point]
-    const double share = power / (mVoxelSize * mVoxelSize) / unit;
-    const double all = rgb.x + rgb.y + rgb.z;
-    mParams.fluence = vec4(share * rgb, 0);
-    mParams.colour = vec4(rgb / all, share * all);
+    const double share = of.power / (mVoxelSize * mVoxelSize) / unit;
+    mParams.fluence = vec4(share * of.rgb, 0);
+    mParams.colour = vec4(of.colour, share * (of.rgb.x + of.rgb.y + of.rgb.z));
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
     bind();

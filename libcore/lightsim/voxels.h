@@ -7,6 +7,7 @@
 #include "lightsim/plan.h"
 #include "lightsim/result.h"
 #include "lightsim/shared.h"
+#include "lightsim/sources.h"
 
 namespace eikonal::lightsim {
 
@@ -40,9 +41,9 @@ public:
     /// What deposits go to, and the table of bricks.
     void bind() const;
     void clearPlanes();
-    /// Adds what the planes hold to the totals, and clears them. `rgb` is the light's, a photon of
-    /// weight 1 has `power` of it [m² or sr], `unit` stands for a voxel's length at weight 1.
-    void resolve(gpu::Device& device, const glm::dvec3& rgb, double power, double unit);
+    /// Adds what the planes hold to the totals, and clears them. A photon of weight 1
+    /// has that power, `unit` stands for a voxel's length at weight 1.
+    void resolve(gpu::Device& device, const Unit& of, double unit);
     /// Rounds of 3×3×3 smoothing, after which nothing more is received.
     void smooth(gpu::Device& device, int rounds);
     Result download(const Plan& plan) const;

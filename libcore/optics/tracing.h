@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "optics/bands.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +48,7 @@ struct Tracing {
     /// sources have it, for comparison. Euler steps take them in any case.
     bool plainSamples = false;
     Boundary boundary = Boundary::automatic;
+    Wavelengths wavelengths; ///< where the index depends on them
 
     Interpolation sampling() const;
     bool unbiased() const { return !plainSamples && integrator != Integrator::euler; }

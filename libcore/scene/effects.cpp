@@ -26,13 +26,24 @@ Effect coefficient(const Scene& scene, const std::string& grid, RegionValues val
     return {grid, who != nullptr, who ? "'" + who->name + "' has it" : "nothing has it"};
 }
 
+/// Whose index depends on the wavelength, or why light is not traced by it.
+Effect dispersion(const Scene& scene, const optics::Wavelengths& wavelengths) {
+    Effect effect = coefficient(scene, "dispersion", &Region::dispersion);
+    if (!effect.on) return effect;
+    if (scene.disperses) return {effect.name, true, effect.why + ": " + wavelengths.text()};
+    return {effect.name, false,
+            wavelengths.disperse() ? "nothing refracts"
+                                   : "--wavelengths 1: all light goes as that of 587.6 nm"};
+}
+
 Effect refraction(const Scene& scene) {
     if (!scene.sharp)
         return {"refraction", scene.index.varies(),
                 scene.index.varies() ? "grid 'ior'"
                                      : "the index is " + toText(scene.index.least) + " everywhere"};
     const Region* who = firstRegion(scene, [&](const Region& region) {
-        return region.index.varies() || region.index.value != scene.medium().index.value;
+        return region.indexVaries() || region.index.value != scene.medium().index.value ||
+               (scene.disperses && region.dispersion.value != scene.medium().dispersion.value);
     });
     return {"refraction", who != nullptr,
             who ? "'" + who->name + "' has an index of its own"
@@ -52,12 +63,12 @@ Effect opaque(const Scene& scene) {
 
 } // namespace
 
-std::vector<Effect> effectsOf(const Scene& scene, optics::Boundary boundary) {
+std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing) {
     std::vector<Effect> effects;
     effects.push_back({"sharp_boundaries", scene.sharp,
-                       scene.sharp                             ? "grid 'sdf'"
-                       : boundary == optics::Boundary::blurred ? "--boundary blurred"
-                                                               : "no grid 'sdf'"});
+                       scene.sharp                                     ? "grid 'sdf'"
+                       : tracing.boundary == optics::Boundary::blurred ? "--boundary blurred"
+                                                                       : "no grid 'sdf'"});
     effects.push_back(refraction(scene));
     if (scene.sharp)
         effects.push_back({"curved_rays", scene.index.varies(),
@@ -68,8 +79,7 @@ std::vector<Effect> effectsOf(const Scene& scene, optics::Boundary boundary) {
     effects.push_back(coefficient(scene, "anisotropy", &Region::anisotropy));
     effects.push_back(coefficient(scene, "emission", &Region::emission));
     effects.push_back(opaque(scene));
-    if (scene.disperses)
-        effects.push_back({"dispersion", false, "light is traced at 587.6 nm alone"});
+    effects.push_back(dispersion(scene, tracing.wavelengths));
     return effects;
 }
 
@@ -125,8 +135,6 @@ std::vector<std::string> warningsOf(const Scene& scene) {
     if (scene.index.jumpAtFaces > 1e-3f)
         warnings.push_back("the index jumps by " + toText(scene.index.jumpAtFaces) +
                            " at the domain's faces, which do not refract");
-    if (scene.disperses)
-        warnings.push_back("'dispersion' is not traced: all light goes as that of 587.6 nm does");
     return warnings;
 }
 

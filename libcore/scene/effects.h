@@ -8,9 +8,9 @@
 namespace eikonal::scene {
 
 /// Of a whole scene, in this order: sharp_boundaries, refraction, curved_rays (sharp boundaries
-/// alone), absorption, scattering, anisotropy, emission, opaque, dispersion (where a file has it).
-/// `boundary` is what was asked for.
-std::vector<Effect> effectsOf(const Scene& scene, optics::Boundary boundary);
+/// alone), absorption, scattering, anisotropy, emission, opaque, dispersion.
+/// `tracing` is what was asked for.
+std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing);
 
 /// The one of that name; off where it is not listed.
 Effect effectNamed(const std::vector<Effect>& effects, const std::string& name);

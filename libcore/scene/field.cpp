@@ -73,35 +73,52 @@ gpu::Texture makeCubic(gpu::Device& device, const Potential& spline) {
     return field;
 }
 
+/// What look-ups of an index read: FieldParams::cubic, too.
+struct Samples {
+    gpu::Texture texture;
+    vec4 cubic{0};
+};
+
+Samples makeSamples(gpu::Device& device, const volume::BrickGrid& index, float least,
+                    const VoxelLayout& layout, const FieldOptions& options) {
+    const Potential own = makePotential(index);
+    Potential stepped = own;
+    if (options.verletTau > 0) correctForVerlet(stepped, options.verletTau);
+    if (options.interpolation == Interpolation::linear)
+        return {makeLinear(device, own, stepped, options.unbiased, layout)};
+    makeSpline(stepped);
+    const double zero = own.squareAtZero, floor = static_cast<double>(least * least) / 16;
+    return {makeCubic(device, stepped),
+            vec4(std::sqrt(zero), options.verletTau * options.verletTau / 12, floor - zero, 0)};
+}
+
 } // namespace
 
 int fieldSwitch(bool varies, Interpolation interpolation) {
     return !varies ? 0 : interpolation == Interpolation::linear ? 1 : 2;
 }
 
-Field::Field(gpu::Device& device, float constant) {
+Field::Field(gpu::Device& device, float constant, float dispersion) {
     FieldParams values{};
     values.scale.w = constant;
+    values.dispersed.w = dispersion;
     mParams = gpu::Buffer(device, sizeof values, &values);
 }
 
-Field::Field(gpu::Device& device, const volume::BrickGrid& index, float least,
-             const VoxelLayout& layout, const FieldOptions& options) {
+Field::Field(gpu::Device& device, const volume::BrickGrid& index,
+             const volume::BrickGrid& dispersed, float least, const VoxelLayout& layout,
+             const FieldOptions& options) {
     FieldParams values{};
     const bool linear = options.interpolation == Interpolation::linear;
     values.scale = vec4(1.0f / vec3(linear ? layout.texels() : index.size + ivec3(1, 4, 4)), 0);
     values.high = vec4(vec3(index.size - 1), options.unbiased ? 1 : 0);
-    const Potential own = makePotential(index);
-    Potential stepped = own;
-    if (options.verletTau > 0) correctForVerlet(stepped, options.verletTau);
-    if (linear) {
-        mTexture = makeLinear(device, own, stepped, options.unbiased, layout);
-    } else {
-        makeSpline(stepped);
-        mTexture = makeCubic(device, stepped);
-        const double zero = own.squareAtZero, floor = static_cast<double>(least * least) / 16;
-        values.cubic =
-            vec4(std::sqrt(zero), options.verletTau * options.verletTau / 12, floor - zero, 0);
+    Samples plain = makeSamples(device, index, least, layout, options);
+    mTexture = std::move(plain.texture);
+    values.cubic = plain.cubic;
+    if (!dispersed.page.empty()) {
+        Samples other = makeSamples(device, dispersed, least, layout, options);
+        mDispersed = std::move(other.texture);
+        values.dispersed = other.cubic;
     }
     mParams = gpu::Buffer(device, sizeof values, &values);
 }
@@ -109,12 +126,14 @@ Field::Field(gpu::Device& device, const volume::BrickGrid& index, float least,
 void Field::bind() const {
     mParams.bindUniform(kFieldBlock);
     if (mTexture.name() != 0) mTexture.bindSampler(kFieldUnit);
+    if (mDispersed.name() != 0) mDispersed.bindSampler(kDispersedFieldUnit);
 }
 
-gpu::Need fieldNeed(const VoxelLayout& layout, Interpolation interpolation) {
-    if (interpolation == Interpolation::linear) return voxelNeed(layout, "the index field", 16);
+gpu::Need fieldNeed(const VoxelLayout& layout, Interpolation interpolation, bool disperses) {
+    const std::int64_t bytes = disperses ? 32 : 16;
+    if (interpolation == Interpolation::linear) return voxelNeed(layout, "the index field", bytes);
     const ivec3 texels = layout.size + ivec3(1, 4, 4);
-    return {"the index field", std::int64_t{texels.x} * texels.y * texels.z * 16, false,
+    return {"the index field", std::int64_t{texels.x} * texels.y * texels.z * bytes, false,
             std::max({texels.x, texels.y, texels.z})};
 }
 

@@ -27,23 +27,23 @@ int fieldSwitch(bool varies, Interpolation interpolation);
 class Field {
 public:
     Field() = default;
-    /// An index that does not vary.
-    Field(gpu::Device& device, float constant);
-    /// `index` has one value per voxel, `least` or above. Throws MemoryError if the device can't
-    /// hold it.
-    Field(gpu::Device& device, const volume::BrickGrid& index, float least,
-          const VoxelLayout& layout, const FieldOptions& options);
+    /// An index that does not vary, and Cauchy's B of it [µm²].
+    Field(gpu::Device& device, float constant, float dispersion);
+    /// `index` has one value per voxel, `least` or above; `dispersed` the same at kDispersedTerm of
+    /// shaders/shared/field_params.h, or none. Throws MemoryError if the device can't hold it.
+    Field(gpu::Device& device, const volume::BrickGrid& index, const volume::BrickGrid& dispersed,
+          float least, const VoxelLayout& layout, const FieldOptions& options);
 
     /// At the unit and binding that shaders/transport/index_field.glsl names.
     void bind() const;
     const gpu::Texture& texture() const { return mTexture; }
 
 private:
-    gpu::Texture mTexture;
+    gpu::Texture mTexture, mDispersed;
     gpu::Buffer mParams;
 };
 
 /// What a field takes on the device.
-gpu::Need fieldNeed(const VoxelLayout& layout, Interpolation interpolation);
+gpu::Need fieldNeed(const VoxelLayout& layout, Interpolation interpolation, bool disperses);
 
 } // namespace eikonal::scene

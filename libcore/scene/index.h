@@ -13,4 +13,7 @@ Index blurredIndex(const volume::Volume& volume, const volume::IndexBox& box);
 /// Throws DataError where two regions that vary come closer than look-ups reach.
 Index varyingIndex(const Scene& scene);
 
+/// Of blurred boundaries: adds what depends on the wavelength, where rays bend by it.
+void disperse(Index& index, const Values& dispersion, const volume::IndexBox& box);
+
 } // namespace eikonal::scene

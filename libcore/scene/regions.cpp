@@ -111,6 +111,7 @@ Region readAll(const std::string& name, const Object* object, const Reader& read
     Region region;
     region.name = name;
     region.index = read("ior");
+    region.dispersion = read("dispersion");
     region.absorption = read("absorption");
     region.scattering = read("scattering");
     if (!region.scattering.isZero()) region.anisotropy = read("anisotropy");
@@ -145,6 +146,10 @@ float Values::most(int component) const {
     return most;
 }
 
+float Region::indexAt(const glm::ivec3& voxel, float term) const {
+    return index.at(voxel, 0) + term * dispersion.at(voxel, 0);
+}
+
 bool Region::coefficientsVary() const {
     return absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
 }
@@ -161,7 +166,8 @@ Region readRegion(const volume::Volume& volume, const std::string& name,
 
 RegionParams paramsOf(const Region& region, float voxelSize, float page) {
     RegionParams params{};
-    params.index = vec4(region.index.value.x, region.index.varies(), region.opaque, 0);
+    params.index =
+        vec4(region.index.value.x, region.indexVaries(), region.opaque, region.dispersion.value.x);
     params.absorption = vec4(region.absorption.value * voxelSize, page);
     params.scattering = vec4(region.scattering.value * voxelSize, region.anisotropy.value.x);
     params.emission = vec4(region.emission.value * voxelSize, 0);

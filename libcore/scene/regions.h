@@ -30,10 +30,16 @@ struct Values {
 /// An object, or what surrounds them all. Values are the grids' [1/unit, not voxel].
 struct Region {
     std::string name;
-    Values index; ///< of sharp boundaries
+    Values index;      ///< of sharp boundaries
+    Values dispersion; ///< Cauchy's B [µm²]
     Values absorption, scattering, anisotropy, emission, albedo, reflectance, opacity;
     bool opaque = false; ///< of sharp boundaries: all of it
 
+    /// At a term of Cauchy's law [1/µm²]; of sharp boundaries.
+    float indexAt(const glm::ivec3& voxel, float term) const;
+    /// Whether the index differs from place to place, of some wavelength; within a brick.
+    bool indexVaries() const { return index.varies() || dispersion.varies(); }
+    bool indexIsEven(size_t brick) const { return index.isEven(brick) && dispersion.isEven(brick); }
     /// Whether what it does to light on its way differs from place to place.
     bool coefficientsVary() const;
 };

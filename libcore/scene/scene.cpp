@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/index.h"
 #include "scene/shared.h"
 #include "volume/make_bricks.h"
@@ -12,6 +13,7 @@
 
 namespace eikonal::scene {
 
+using glm::ivec3;
 using glm::vec3;
 
 namespace {
@@ -99,6 +101,42 @@ void readObjects(Scene& scene, const volume::Volume& volume) {
     scene.regions.push_back(readRegion(volume, volume::kMedium, scene.domain, nullptr, true));
 }
 
+/// Whether rays of some wavelengths go other ways than those of 587.6 nm: what disperses refracts.
+bool disperses(const Scene& scene) {
+    const Region& medium = scene.medium();
+    return scene.anyHas(&Region::dispersion) &&
+           std::any_of(scene.regions.begin(), scene.regions.end(), [&](const Region& region) {
+               return region.indexVaries() || region.index.value != medium.index.value ||
+                      region.dispersion.value != medium.dispersion.value;
+           });
+}
+
+/// Throws DataError where Cauchy's law leaves no index above 0.
+void requireIndex(const Scene& scene, const optics::Wavelengths& wavelengths) {
+    const auto require = [&](float n, float at4, double nanometres, const std::string& where) {
+        const double share = optics::cauchyTerm(nanometres) / static_cast<double>(kDispersedTerm);
+        const double found = static_cast<double>(n) + share * static_cast<double>(at4 - n);
+        if (!(found > 0))
+            throw DataError(scene.path + ": by grid 'dispersion' the index" + where + " is " +
+                            toText(found) + " at " + toText(nanometres) +
+                            " nm, expected above 0 (in µm², as Cauchy's B is)");
+    };
+    for (const double nanometres : {wavelengths.shortest(), wavelengths.longest()}) {
+        for (const Region& region : scene.regions)
+            if (scene.sharp && !region.indexVaries())
+                require(region.index.value.x, region.indexAt(ivec3(0), kDispersedTerm), nanometres,
+                        " of '" + region.name + "'");
+        const Index& index = scene.index;
+        if (index.dispersed.page.empty()) continue;
+        const ivec3 size = scene.size();
+        for (int z = 0; z < size.z; ++z)
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x)
+                    require(index.grid.at({x, y, z}), index.dispersed.at({x, y, z}), nanometres,
+                            "");
+    }
+}
+
 void requireOne(const Scene& scene, const char* grid, RegionValues values) {
     for (const Region& region : scene.regions)
         if ((region.*values).varies())
@@ -150,12 +188,22 @@ int Scene::varyingRegions() const {
 
 namespace {
 
+/// Of blurred boundaries.
+void readDispersion(Scene& scene, const Files& files, const Wanted& wanted) {
+    Region& region = scene.regions.front();
+    region.dispersion = readFirst(files, "dispersion");
+    if (region.dispersion.isZero() || !wanted.wavelengths.disperse()) return;
+    const volume::Volume* volume = files.withGrid("dispersion");
+    scene.index.backgroundDispersion = volume ? volume->background("dispersion", vec3(0)).x : 0;
+    disperse(scene.index, region.dispersion, scene.domain);
+    scene.disperses = scene.index.varies();
+}
+
 Scene readGrids(const Files& files, const Wanted& wanted) {
     Scene scene;
     scene.path = files.path();
     scene.frame = files.frame();
     scene.domain = files.domain();
-    scene.disperses = files.withGrid("dispersion") != nullptr;
     const volume::Volume* objects = files.withObjects();
     scene.sharp = wanted.boundary == optics::Boundary::sharp ||
                   (wanted.boundary == optics::Boundary::automatic && objects != nullptr);
@@ -175,6 +223,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
     if (scene.sharp) {
         requireOne(scene, "reflectance", &Region::reflectance);
         if (wanted.surfaces) requireOne(scene, "albedo", &Region::albedo);
+        scene.disperses = wanted.wavelengths.disperse() && disperses(scene);
         scene.index = varyingIndex(scene);
         scene.index.inHalf = objects->isStoredInHalf("ior");
         for (const Region& region : scene.regions)
@@ -183,6 +232,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
         const volume::Volume* index = files.withGrid("ior");
         scene.index = blurredIndex(index ? *index : files.first(), files.domain());
         Region& region = scene.regions.front();
+        readDispersion(scene, files, wanted);
         region.absorption = readFirst(files, "absorption");
         if (wanted.emission) region.emission = readFirst(files, "emission");
         if (wanted.surfaces && scene.anyOpaque()) region.albedo = readFirst(files, "albedo");
@@ -200,6 +250,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
 
 Scene read(const Files& files, const Wanted& wanted) {
     Scene scene = readGrids(files, wanted);
+    if (scene.disperses) requireIndex(scene, wanted.wavelengths);
     scene.layout = layoutOf(scene);
     return scene;
 }

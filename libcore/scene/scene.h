@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "optics/bands.h"
 #include "optics/tracing.h"
 #include "scene/files.h"
 #include "scene/objects.h"
@@ -19,9 +20,12 @@ namespace eikonal::scene {
 /// The refractive index where it varies; of several regions each voxel has that of the varying one
 /// which is nearest, so that look-ups within one find its own values alone.
 struct Index {
-    volume::BrickGrid grid; ///< empty where it does not vary
-    float background = 1;   ///< outside the domain
-    float least = 1, most = 1;
+    volume::BrickGrid grid; ///< at 587.6 nm; empty where it does not vary
+    /// At kDispersedTerm of shaders/shared/field_params.h; empty where nothing disperses.
+    volume::BrickGrid dispersed;
+    float background = 1;           ///< outside the domain
+    float backgroundDispersion = 0; ///< Cauchy's B [µm²]
+    float least = 1, most = 1;      ///< of both grids
     /// The largest jump between the domain's outermost voxels and the outside; of blurred
     /// boundaries.
     float jumpAtFaces = 0;
@@ -44,7 +48,7 @@ struct Scene {
     volume::Frame frame;
     volume::IndexBox domain;
     bool sharp = false;
-    bool disperses = false;      ///< some file has a grid 'dispersion'
+    bool disperses = false;      ///< light is refracted by wavelength
     std::vector<Object> objects; ///< sharp boundaries alone
     std::vector<Region> regions; ///< of each object, then of what surrounds them
     Index index;
@@ -74,6 +78,7 @@ struct Scene {
 /// What an engine wants of the files. Grids it does not want are not read.
 struct Wanted {
     optics::Boundary boundary = optics::Boundary::automatic;
+    optics::Wavelengths wavelengths;
     bool onlyIfLightShows = false; ///< where nothing shows light, stop at what tells so
     bool emission = false;
     bool surfaces = false; ///< albedo

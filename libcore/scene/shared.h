@@ -14,11 +14,13 @@ using glm::vec4;
 #include "shared/field_params.h"
 #include "shared/limits.h"
 #include "shared/scene_params.h"
+#include "shared/spectrum_params.h"
 #include "shared/surface_params.h"
 #include "shared/transport_params.h"
 
-static_assert(sizeof(FieldParams) == 48);
+static_assert(sizeof(FieldParams) == 64);
 static_assert(sizeof(SceneParams) == 96 + 65 * 96 + 64 * 32);
+static_assert(sizeof(SpectrumParams) == 1024);
 static_assert(sizeof(SurfaceParams) == 32);
 static_assert(sizeof(TransportParams) == 64);
 

@@ -23,6 +23,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
     const bool bends = scene.index.varies();
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
+            {"DISPERSION", scene.disperses},
             {"PAGED", scene.layout.paged},
             {"OBJECTS", static_cast<int>(scene.objects.size())},
             {"NEAR", scene.sharp && areMany(scene.objects) ? mostNear(scene.objects) : 0},
@@ -33,7 +34,8 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {
     std::vector<gpu::Need> needs;
-    if (scene.index.varies()) needs.push_back(fieldNeed(scene.layout, tracing.sampling()));
+    if (scene.index.varies())
+        needs.push_back(fieldNeed(scene.layout, tracing.sampling(), scene.disperses));
     needs.push_back(tableNeed(scene.layout));
     if (scene.sharp)
         for (const gpu::Need& need : boundaryNeeds(scene)) needs.push_back(need);
@@ -45,10 +47,12 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
     : mSharp(scene.sharp) {
     const bool fitted =
         steps.equal && tracing.integrator == optics::Integrator::verlet && tracing.unbiased();
-    mField = scene.index.varies() ? Field(device, scene.index.grid, scene.index.least, scene.layout,
-                                          {tracing.sampling(), tracing.unbiased(),
-                                           fitted ? tauOf(scene, steps.longest) : 0})
-                                  : Field(device, scene.index.least);
+    const Index& index = scene.index;
+    mField = index.varies() ? Field(device, index.grid, index.dispersed, index.least, scene.layout,
+                                    {tracing.sampling(), tracing.unbiased(),
+                                     fitted ? tauOf(scene, steps.longest) : 0})
+                            : Field(device, index.least, scene.regions.front().dispersion.value.x);
+    if (scene.disperses) mSpectrum = gpu::Buffer(device, sizeof(SpectrumParams));
     if (scene.sharp) mBoundaries = Boundaries(device, scene);
     if (scene.layout.paged) mVoxelTable = makeVoxelTable(device, scene.layout);
     TransportParams values{};
@@ -60,7 +64,16 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
     mParams = gpu::Buffer(device, sizeof values, &values);
 }
 
+void Transport::setLines(const std::vector<optics::Line>& lines) {
+    if (mSpectrum.bytes() == 0) return;
+    SpectrumParams values{};
+    for (size_t i = 0; i < static_cast<size_t>(kLines); ++i)
+        values.lines[i] = vec4(lines[i].weight, optics::cauchyTerm(lines[i].wavelength));
+    mSpectrum.upload(&values, sizeof values);
+}
+
 void Transport::bind() const {
+    if (mSpectrum.bytes() > 0) mSpectrum.bindUniform(kSpectrumBlock);
     mParams.bindUniform(kTransportBlock);
     mField.bind();
     if (mVoxelTable.name() != 0) mVoxelTable.bindSampler(kVoxelBlocksUnit);

@@ -17,8 +17,8 @@ struct StepLengths {
     bool equal = false;     ///< Verlet's are all of the longest, so that the field is made for them
 };
 
-/// The switches INTEGRATOR, FIELD, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE of every kernel that
-/// traces.
+/// The switches INTEGRATOR, FIELD, DISPERSION, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE of
+/// every kernel that traces.
 gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing);
 
 /// What a scene takes on the device.
@@ -33,13 +33,16 @@ public:
     Transport(gpu::Device& device, const Scene& scene, const optics::Tracing& tracing,
               const StepLengths& steps);
 
+    /// What light the next rays are of, kLines lines as Band::shifted has them; without dispersion
+    /// it does nothing.
+    void setLines(const std::vector<optics::Line>& lines);
     /// At the units and bindings of shaders/shared/bindings.h.
     void bind() const;
 
 private:
     Field mField;
     Boundaries mBoundaries;
-    gpu::Buffer mParams;
+    gpu::Buffer mParams, mSpectrum;
     gpu::Texture mVoxelTable;
     bool mSharp = false;
 };

@@ -31,6 +31,7 @@ struct Looked {
 std::vector<Looked> gridsOf(const Scene& scene) {
     std::vector<Looked> grids;
     if (scene.index.varies()) grids.push_back({&scene.index.grid, kMargin});
+    if (!scene.index.dispersed.page.empty()) grids.push_back({&scene.index.dispersed, kMargin});
     const auto add = [&](const Values& values) {
         if (values.varies()) grids.push_back({&values.grid, 0});
     };

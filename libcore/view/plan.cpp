@@ -16,7 +16,7 @@ using scene::Region;
 
 void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     const scene::Scene& scene = plan.scene;
-    const std::vector<Effect> all = scene::effectsOf(scene, params.boundary);
+    const std::vector<Effect> all = scene::effectsOf(scene, params);
     const auto add = [&plan](Effect effect) { plan.effects.push_back(std::move(effect)); };
     const auto named = [&](const char* name) { return scene::effectNamed(all, name); };
     add(named("sharp_boundaries"));
@@ -50,7 +50,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
          : glows  ? "--background"
                   : "neither --env nor --background"});
     add({"aovs", !params.aovs.empty(), params.aovs.empty() ? "no --aov" : "--aov"});
-    if (scene.disperses) add(named("dispersion"));
+    add(named("dispersion"));
     plan.warnings = scene::warningsOf(scene);
     for (const std::string& idle : scene::idleWarnings(files, all)) plan.warnings.push_back(idle);
     if (scattering.on && !plan.lit())
@@ -66,11 +66,12 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     Plan plan;
     scene::Wanted wanted;
     wanted.boundary = params.boundary;
+    wanted.wavelengths = params.wavelengths;
     wanted.emission = wanted.surfaces = wanted.light = true;
     plan.scene = scene::read(files, wanted);
     const scene::Scene& scene = plan.scene;
     plan.map = hasMap;
-    plan.bends = scene::effectNamed(scene::effectsOf(scene, params.boundary), "refraction").on;
+    plan.bends = scene::effectNamed(scene::effectsOf(scene, params), "refraction").on;
     plan.dims = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
     plan.emits = scene.anyHas(&Region::emission);
     plan.opaque = scene.anyOpaque();

@@ -192,7 +192,8 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mValues.limits =
         ivec4(params.maxSteps > 0 ? params.maxSteps : crossings, params.maxDepth, 0, 0);
     const float outside = scene.index.background;
-    mValues.medium = vec4(outside, params.cutoff, 0, 1 / (outside * outside));
+    mValues.medium =
+        vec4(outside, params.cutoff, scene.index.backgroundDispersion, 1 / (outside * outside));
     const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();
     const glm::dmat3 turn(glm::dmat3(voxelFromWorld) * h);
     const CameraAxes axes = axesOf(camera);
@@ -235,11 +236,11 @@ void Rays::bind() const {
     mBlock.bindUniform(kParamsBlock);
 }
 
-void Rays::trace(int row, int rows, const glm::dvec2& place, bool first, const vec4& weight) {
+void Rays::trace(int row, int rows, const Launch& one) {
     mValues.picture.z = row;
     mValues.picture.w = rows;
-    mValues.pattern = vec4(place, first ? 1 : 0, 0);
-    mValues.weight = weight;
+    mValues.pattern = vec4(one.place, one.first, one.shift);
+    mValues.weight = one.weight;
     mValues.limits.z = 0;
     mValues.limits.w = 0;
     launch(mWidth, rows);

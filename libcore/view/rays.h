@@ -22,16 +22,24 @@ struct Media {
 /// What media and light take on the device.
 std::vector<gpu::Need> mediaNeeds(const Plan& plan);
 
+/// One ray of each pixel.
+struct Launch {
+    glm::dvec2 place{0.5}; ///< where in its pixel it goes
+    bool first = true;     ///< replaces what the picture held, and writes the ray's path
+    vec4 weight{1};        ///< its share of the pixel's colour and, w, coverage
+    int shift = 0;         ///< of its line among a band's
+};
+
 class Rays {
 public:
     /// Times its programs as the pass "shaders", what it uploads as "medium".
     Rays(gpu::Device& device, const Plan& plan, const Params& params,
          const std::optional<image::Image>& map, gpu::Profiler& profiler);
 
-    /// Traces one ray of each pixel of a strip: `rows` rows from `row` on. `place` is where in its
-    /// pixel it goes, `weight` its share of the pixel's colour and, w, coverage. The first of a
-    /// pixel's rays replaces what is there.
-    void trace(int row, int rows, const glm::dvec2& place, bool first, const vec4& weight);
+    /// What the next rays see: see scene::Transport::setLines().
+    void setLines(const std::vector<optics::Line>& lines) { mTransport.setLines(lines); }
+    /// Traces one ray of each pixel of a strip: `rows` rows from `row` on.
+    void trace(int row, int rows, const Launch& launch);
     /// Goes on with so many rays that the last launch left at rest, in one half of their buffer.
     void goOn(int resting, int half);
     /// Binds all it reads but the picture's own buffers.

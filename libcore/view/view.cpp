@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace eikonal::view {
 
@@ -51,25 +52,42 @@ void goOn(Rays& rays, Picture& picture) {
     }
 }
 
+/// How far samples' lines are shifted: by the golden ratio, so that few of them spread evenly.
+int lineShift(int sample) {
+    const double turn = 0.6180339887498949 * sample;
+    return static_cast<int>((turn - std::floor(turn)) * optics::kLinesPerBand);
+}
+
 /// All rays of a strip of the picture: every sample of every band.
 /// `progress` is the strip's part. Returns how long the longest launch took [ms].
 double traceStrip(Rays& rays, Picture& picture, const std::vector<optics::Band>& bands, int samples,
                   int row, int rows, const Progress& progress) {
     double longest = 0;
     const std::vector<glm::dvec2> places = samplePattern(samples);
+    const double share = 1.0 / samples, coverage = share / static_cast<double>(bands.size());
+    int done = 0;
     const auto all = static_cast<int>(bands.size()) * samples;
-    for (int launch = 0; launch < all; ++launch) {
-        const optics::Band& band = bands[static_cast<size_t>(launch / samples)];
-        const glm::dvec2& place = places[static_cast<size_t>(launch % samples)];
-        const double share = 1.0 / samples;
+    const auto launch = [&](const Launch& one) {
         const auto began = std::chrono::steady_clock::now();
         picture.clearRests();
-        rays.trace(row, rows, place, launch == 0,
-                   vec4(band.weight * share, share / static_cast<double>(bands.size())));
+        rays.trace(row, rows, one);
         gpu::finish();
         goOn(rays, picture);
         longest = std::max(longest, gpu::millisecondsSince(began));
-        report(progress, (launch + 1.0) / all);
+    };
+    // Paths are those of light of 587.6 nm, which may be none of the bands'.
+    const bool paths = bands.size() > 1;
+    if (paths) {
+        rays.setLines(optics::bandsOf({}, false).front().shifted);
+        launch({places.front(), true, vec4(0)});
+    }
+    for (const optics::Band& band : bands) {
+        rays.setLines(band.shifted);
+        for (int sample = 0; sample < samples; ++sample) {
+            launch({places[static_cast<size_t>(sample)], !paths && done == 0,
+                    vec4(glm::dvec3(share), coverage), lineShift(sample)});
+            report(progress, static_cast<double>(++done) / all);
+        }
     }
     return longest;
 }
@@ -85,7 +103,8 @@ image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
     gpu::Profiler profiler(stats);
     Rays rays(device, plan, params, map, profiler);
     Picture picture(device, plan, params);
-    const std::vector<optics::Band> bands = optics::wholeLight();
+    const std::vector<optics::Band> bands =
+        optics::bandsOf(params.wavelengths, plan.scene.disperses);
     rays.bind();
     picture.bind();
     const int all = params.camera.rows;

@@ -29,8 +29,8 @@ constexpr std::array<GridRule, 13> kRules{{
     {"albedo", kVector, 0, 1, false, false, "0 to 1"},
     {"reflectance", kVector, 0, kMost, false, false, ">= 0"},
     {"sdf", kScalar, -kMost, kMost, false, false, "a finite number"},
-    {"fluence", kVector, 0, kMost, false, false, ">= 0"},
-    {"irradiance", kVector, 0, kMost, false, false, ">= 0"},
+    {"fluence", kVector, -kMost, kMost, false, false, "a finite number"},
+    {"irradiance", kVector, -kMost, kMost, false, false, "a finite number"},
     {"light_direction", kVector, -kMost, kMost, false, false, "a finite number"},
 }};
 

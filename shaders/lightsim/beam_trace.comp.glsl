@@ -204,6 +204,7 @@ Path pathFromParent(uint id, inout Load load) {
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
+    takeLine(0u);
     bool goesOn = params.kind.z == 1u;
     uint id = goesOn ? item : params.list.y + item;
     Load load = Load(0, 1u, -1, 1.0, vec3(0.0), vec3(0.0));

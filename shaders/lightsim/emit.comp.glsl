@@ -57,6 +57,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, params.map.xy))) return;
     uint id = uint(pixel.y * params.map.x + pixel.x) + (kExtended ? uint(params.map.w) : 0u);
+    takeLine(lineOf(id));
     vec4 met = texelFetch(photonMap, pixel, 0);
     bool startsAtLight = params.origin.w == 1.0;
     bool startsOnFaces = kExtended && params.origin.w == 2.0;

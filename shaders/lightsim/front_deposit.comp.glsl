@@ -299,6 +299,7 @@ uint newOnes(uint becomes) {
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
+    takeLine(0u);
     uint number = params.list.y + item;
     FrontPatch part = patches[number];
     places[number] = 0u;

@@ -306,6 +306,7 @@ FrontHit hitFrom(inout CornerPath corner) {
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= 4u * params.list.x) return;
+    takeLine(0u);
     uint number = 4u * params.list.y + item;
     bool single = patches[number >> 2u].flux.w == 1.0;
     bool ended = patches[number >> 2u].state.y == kFrontEnds;

@@ -178,6 +178,7 @@ void keep(Path path, Load load) {
 void main() {
     if (gl_GlobalInvocationID.x >= params.list.x) return;
     uint id = list[gl_GlobalInvocationID.x];
+    takeLine(lineOf(id));
     Photon photon = photons[id];
     Path path = pathOf(photon, id);
     Load load = Load(photon.absorbed.xyz, photon.scattered.xyz, photon.weight.w, photon.count.z, 0u,

@@ -8,9 +8,11 @@ const int kTransportBlock = 2; // TransportParams
 const int kFieldBlock = 3;     // FieldParams
 const int kSceneBlock = 4;     // SceneParams
 const int kSurfaceBlock = 5;   // SurfaceParams
+const int kSpectrumBlock = 6;  // SpectrumParams
 
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
+const int kDispersedFieldUnit = 22; // the same at kDispersedTerm of field_params.h
 const int kDistancesUnit = 9;    // spline coefficients of signed distances, by blocks of cells [voxel]
 const int kClearanceUnit = 10;   // how far off any interface is at least [voxel]
 const int kNearbyUnit = 11;      // the objects that hold a cube of voxels or are near it: bits, or which sets

@@ -3,7 +3,7 @@
 
 // What an object is made of, or what surrounds them all.
 struct RegionParams {
-    vec4 index;      // x: n; y: 1 if it varies; z: 1 if opaque
+    vec4 index;      // x: n; y: 1 if it varies; z: 1 if opaque; w: Cauchy's B [µm²]
     vec4 absorption; // rgb [1/voxel]; w: where coefficients vary, their page's first texel; else −1
     vec4 scattering;  // rgb [1/voxel]; w: g
     vec4 emission;    // rgb [radiance/voxel]

@@ -15,8 +15,9 @@ struct ViewParams {
     vec4 mapFromVoxel1;
     vec4 mapFromVoxel2;
     vec4 medium;  // x: index outside, y: throughput below which a reflection is not followed,
-                  // w: 1 / x²
-    vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays
+                  // z: Cauchy's B outside [µm²], w: 1 / x²
+    vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays, whose path is
+                  // written; w: how far the band's lines are shifted
     vec4 weight;  // rgb: the ray's share of its pixel's colour; w: of its coverage
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/bindings.h"
 #include "shared/field_params.h"
+#include "transport/spectrum.glsl"
 #include "transport/spline.glsl"
 #include "transport/voxels.glsl"
 
@@ -11,34 +12,52 @@
 const int kField = FIELD;
 
 layout(std140, binding = kFieldBlock) uniform Field { FieldParams fieldParams; };
-#if FIELD == 1
-layout(binding = kFieldUnit) uniform sampler3D field; // (½∇n², n) per voxel, padded by one
-#elif FIELD == 2
-layout(binding = kFieldUnit) uniform sampler3D field; // per texel four spline coefficients along x
+#if FIELD > 0
+// Linear: (½∇n², n) per voxel, padded by one. Cubic: per texel four spline coefficients along x.
+layout(binding = kFieldUnit) uniform sampler3D field; // at 587.6 nm
+#if DISPERSION == 1
+layout(binding = kDispersedFieldUnit) uniform sampler3D dispersedField; // at kDispersedTerm
+#endif
 #endif
 
 #if FIELD == 2
 // The potential ½(n² − n₀²) is one spline, its gradient the spline's own.
-vec4 fieldAt(vec3 x) {
+vec4 fieldFrom(sampler3D coefficients, vec4 cubic, vec3 x) {
     // Coefficients reach a voxel beyond the faces.
     vec3 at = clamp(x, vec3(-0.999), fieldParams.high.xyz + 0.999);
     vec3 cell = floor(at);
-    vec4 sum = splineAt(field, kPlainRows, cell + 1.5, fieldParams.scale.xyz, at - cell);
+    vec4 sum = splineAt(coefficients, kPlainRows, cell + 1.5, fieldParams.scale.xyz, at - cell);
     // The potential that steps of τ see is higher by τ²/24 |∇U|².
-    float more = 2.0 * sum.w - fieldParams.cubic.y * dot(sum.xyz, sum.xyz); // n² − n₀²
+    float more = 2.0 * sum.w - cubic.y * dot(sum.xyz, sum.xyz); // n² − n₀²
     // Overshoot beside a jump must not make the index vanish.
-    more = max(more, fieldParams.cubic.z);
-    float n0 = fieldParams.cubic.x;
+    more = max(more, cubic.z);
+    float n0 = cubic.x;
     // As n₀ and a difference, which keeps the digits of a faint one.
     return vec4(sum.xyz, n0 + more / (n0 + sqrt(n0 * n0 + more)));
 }
 #elif FIELD == 1
+vec4 fieldFrom(sampler3D samples, vec4 cubic, vec3 x) {
+    return textureLod(samples, texelAt(x) * fieldParams.scale.xyz, 0.0);
+}
+#endif
+
+#if FIELD == 0
 vec4 fieldAt(vec3 x) {
-    return textureLod(field, texelAt(x) * fieldParams.scale.xyz, 0.0);
+    return vec4(0.0, 0.0, 0.0, dispersed(fieldParams.scale.w, fieldParams.dispersed.w));
+}
+#elif DISPERSION == 1
+// n, and with it ∇n, is linear in Cauchy's term: of two of its values all others follow.
+vec4 fieldAt(vec3 x) {
+    vec4 first = fieldFrom(field, fieldParams.cubic, x);
+    vec4 second = fieldFrom(dispersedField, fieldParams.dispersed, x);
+    float share = cauchyTerm / kDispersedTerm;
+    float n = first.w + share * (second.w - first.w);
+    vec3 slope = mix(first.xyz / first.w, second.xyz / second.w, share);
+    return vec4(n * slope, n);
 }
 #else
 vec4 fieldAt(vec3 x) {
-    return vec4(0.0, 0.0, 0.0, fieldParams.scale.w);
+    return fieldFrom(field, fieldParams.cubic, x);
 }
 #endif
 

@@ -81,7 +81,8 @@ bool indexVariesIn(int region) {
 
 // The index of a region at x.
 float indexOf(int region, vec3 x) {
-    return kObjects == 0 || indexVariesIn(region) ? indexAt(x) : scene.regions[region].index.x;
+    if (kObjects == 0 || indexVariesIn(region)) return indexAt(x);
+    return dispersed(scene.regions[region].index.x, scene.regions[region].index.w);
 }
 
 bool coefficientsVaryIn(int region) {

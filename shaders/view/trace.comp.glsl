@@ -80,6 +80,16 @@ int waitingCount = 0;
 
 #include "view/rest.glsl"
 
+// The index outside, and what it makes of radiance there.
+float outsideIndex() {
+    return dispersed(params.medium.x, params.medium.z);
+}
+
+float outsideWeight() {
+    float n = outsideIndex();
+    return kDisperses ? 1.0 / (n * n) : params.medium.w;
+}
+
 float stepLimit(Ray ray, float n) {
     return kIntegrator == kEuler ? transport.steps.w / n : transport.steps.x;
 }
@@ -189,7 +199,7 @@ bool onEnd(inout Path path, inout Load load) {
     bool escapes = path.status == kLeft;
     bool traps = path.status == kTrapped;
     if (escapes || traps) // it sees what is straight ahead
-        load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) * params.medium.w;
+        load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) * outsideWeight();
     load.trapped = traps || load.trapped;
     if (load.first) load.firstPath = path;
     load.first = false;
@@ -221,6 +231,12 @@ void main() {
     if (resumes) size = ivec2(min(params.limits.z, rests.length() / 2), 1);
     if (any(greaterThanEqual(pixel, size))) return;
     int at = pixel.y * params.picture.x + pixel.x;
+    int rested = 0; // of a ray at rest, where
+    if (resumes) {
+        rested = firstOfHalf(params.limits.w) + at;
+        at = rests[rested].at;
+        pixel = ivec2(at % params.picture.x, at / params.picture.x);
+    }
     pixel.y += params.picture.z;
     pixelNow = pixel;
 
@@ -228,12 +244,12 @@ void main() {
     Path path = pathFrom(camera.start, camera.direction, params.limits.x);
     Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, vec3(0.0),
                      camera.start, camera.start);
-    float n = params.medium.x; // at the eye
+    vec3 white = vec3(1.0); // the share of white light that this ray sees
+    if (kDisperses) white = takeLine(lineOf(pixel) + uint(params.pattern.w));
+    float n = outsideIndex(); // at the eye
     if (resumes) { // branches of a ray at rest
-        int from = firstOfHalf(params.limits.w) + at;
-        at = rests[from].at;
-        n = rests[from].n;
-        fetchWaiting(from);
+        n = rests[rested].n;
+        fetchWaiting(rested);
         follow(path, waiting[--waitingCount]);
         camera.hits = true;
     } else if (camera.hits) {
@@ -248,14 +264,14 @@ void main() {
         }
         count(kRays, 1u);
     } else {
-        load.sky = backgroundLight(camera.direction) * params.medium.w;
+        load.sky = backgroundLight(camera.direction) * outsideWeight();
     }
     if (camera.hits) {
         trace(path, load);
         countPath(path, load);
         if (restAt >= 0) rest(n, at);
     }
-    vec3 light = (load.light + load.sky) * (n * n);
+    vec3 light = white * (load.light + load.sky) * (n * n);
     if (resumes) {
         colours[at] += params.weight * vec4(light, 0.0);
         return;

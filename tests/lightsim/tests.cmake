@@ -2,6 +2,7 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
              lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/run_test.cpp
              lightsim/sharp_test.cpp lightsim/surfaces_test.cpp lightsim/points_test.cpp lightsim/lights_test.cpp lightsim/bounces_test.cpp
              lightsim/fronts_test.cpp lightsim/bounces_truth_test.cpp
+             lightsim/dispersion_test.cpp
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
                                           "LightRun.BatchesChange*" "LightRun.AutomaticPhotonsAreEnough" "LightReceivingLong.*"
                                           "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*"

@@ -105,7 +105,7 @@ TEST_F(SceneWarnings, WhereNothingAppliesALineSaysWhatWasFound) {
     const auto idle = [&](const std::string& path, const GridNames& names = {}) {
         const Volume volume = Volume::open(path, names);
         const scene::Files files(volume);
-        const auto effects = scene::effectsOf(scene::read(files, {}), optics::Boundary::automatic);
+        const auto effects = scene::effectsOf(scene::read(files, {}), {});
         return join(scene::idleWarnings(files, effects), "\n");
     };
     const std::string density = vdb("density.vdb", {floats("density", 3, 0)});

@@ -45,6 +45,13 @@ TracingOptions::TracingOptions(CLI::App& app, const std::string& stepHelp, int& 
                        : std::string();
         })
         ->group(kGroup);
+    app.add_option(
+           "--wavelengths", mWavelengths,
+           "where 'dispersion' makes the index depend on it: parts of 380 to 730 nm, traced "
+           "one by one (1: 587.6 nm alone), or a list of wavelengths [nm]")
+        ->type_name("N|LIST")
+        ->capture_default_str()
+        ->group(kGroup);
     mTolerance =
         app.add_option("--tolerance", mTracing.tolerance,
                        "error that a ray may have where it leaves [voxel]; implies adaptive")
@@ -64,6 +71,7 @@ optics::Tracing TracingOptions::finish() const {
     }
     tracing.integrator = optics::parseIntegrator(integrator);
     tracing.boundary = optics::parseBoundary(mBoundary);
+    tracing.wavelengths = optics::parseWavelengths("--wavelengths", mWavelengths);
     if (!mInterpolation.empty()) tracing.interpolation = optics::parseInterpolation(mInterpolation);
     return tracing;
 }

@@ -16,7 +16,7 @@ namespace eikonal::tool {
 class TracingOptions {
 public:
     /// Adds --boundary, --max-depth (into `maxDepth`, for `what`), --integrator, --interpolation,
-    /// --step and --tolerance.
+    /// --step, --wavelengths and --tolerance.
     TracingOptions(CLI::App& app, const std::string& stepHelp, int& maxDepth,
                    const std::string& what);
 
@@ -30,7 +30,7 @@ public:
     void warnOf(Session& session, const std::string& rays) const;
 
 private:
-    std::string mIntegrator = "verlet", mInterpolation, mBoundary = "auto";
+    std::string mIntegrator = "verlet", mInterpolation, mBoundary = "auto", mWavelengths = "8";
     optics::Tracing mTracing;
     CLI::Option *mIntegratorOption, *mTolerance;
 };

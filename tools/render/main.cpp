@@ -174,10 +174,9 @@ view::PointLights readPoints(const std::string& path, const view::Camera& camera
                         " pixels, expected --size " + sizeText(camera.width, camera.rows));
     for (size_t c = 0; c < picture.channels.size(); ++c)
         for (const float value : picture.plane(c))
-            if (!std::isfinite(value) || (c < 3 && value < 0))
+            if (!std::isfinite(value))
                 throw DataError(path + ": channel '" + picture.channels[c] + "' holds " +
-                                toText(value) +
-                                (c < 3 ? ", expected 0 or more" : ", expected a finite number"));
+                                toText(value) + ", expected a finite number");
     view::PointLights points{picture.width, picture.height, {}, {}, {}};
     for (size_t i = 0; i < picture.area(); ++i) {
         const auto at = [&](size_t channel) { return picture.plane(channel)[i]; };
