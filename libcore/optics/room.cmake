@@ -1,1 +1,1 @@
-eikonal_room(optics SOURCES tracing.cpp)
+eikonal_room(optics SOURCES materials.cpp tracing.cpp)
