@@ -51,7 +51,7 @@ test_bad_usage() {
     refuses 64 box.obj --ior 1.5
     says "--output"
     refuses 64 box.obj -o out.vdb
-    says "--ior"
+    says "not given: --ior or --material"
     refuses 64 box.obj $small -o out.vdb -o out2.vdb
     refuses 64 box.obj $small -o out.vdb --colour red
     refuses 64 box.obj --ior 1.5 -o out.vdb --resolution 9 --voxel-size 1
@@ -72,6 +72,8 @@ test_numbers_for_meshes() {
         refuses 64 box.obj box.obj -o out.vdb $numbers
         says "is a number, not a mesh: .* again for each"
     done
+    refuses 64 box.obj box.obj -o out.vdb --material bk7 water
+    says "water: is a material, not a mesh: "
     cp box.obj 1.33 # unless there is one
     makes number.vdb 1.33 box.obj $small
     rm 1.33
@@ -86,6 +88,11 @@ test_bad_values() {
         says "--ior"
     done
     rejects --dispersion nan blue 1e300
+    rejects --abbe -1 0.99 1000.1 nan blue ""
+    rejects --material "" glass bk "fused silica" 1.5
+    rejects --medium-material "" glass
+    rejects --medium-abbe -1 0.5 2000 nan x
+    rejects --unit 0 -1 1e-10 1e10 nan x
     rejects --absorption -1 1,2 1,2,-3 1,2,nan 1,2,3,4 red
     rejects --scattering -0.5 1,,2
     rejects --anisotropy 1 -1 1.5 0.99999999999 nan
@@ -274,6 +281,88 @@ test_streams() {
     nothing_left
 }
 
+# values FILE GRID...: their backgrounds, which is all that grids of one object have.
+values() {
+    local file=$1 grid
+    shift
+    for grid in "$@"; do
+        vdb_print -l "$file" | sed -n "/^Name: $grid\$/,/Background/s/.*Background value: //p"
+    done | tr '\n' ' '
+}
+
+# has_values FILE "VALUES" GRID...
+has_values() {
+    command -v vdb_print >/dev/null || return
+    local found
+    found=$(values "$1" "${@:3}")
+    [ "$found" = "$2 " ] || fail "$1 has '$found' for ${*:3}, expected '$2'"
+}
+
+test_materials() {
+    local size="--resolution 21 --padding 3"
+    makes glass.vdb box.obj $size --material N-BK7
+    has_grids glass.vdb dispersion dispersion.box ior ior.box sdf # absorption wants a unit
+    has_values glass.vdb "1.5168 0.0042175" ior.box dispersion.box
+    makes glass.vdb box.obj $size --material bk7 --unit 0.01
+    has_values glass.vdb "[0.0023, 0.0018, 0.003]" absorption.box
+    # Numbers win, each alone.
+    makes glass.vdb box.obj $size --material bk7 --unit 1 --ior 1.4
+    has_values glass.vdb "1.4 0.0042175 [0.23, 0.18, 0.3]" ior.box dispersion.box absorption.box
+    makes glass.vdb box.obj $size --material bk7 --unit 1 --dispersion 0.25 --absorption 2
+    has_values glass.vdb "1.5168 0.25 [2, 2, 2]" ior.box dispersion.box absorption.box
+    makes glass.vdb box.obj $size --material bk7 --abbe 0
+    has_grids glass.vdb ior ior.box sdf
+    makes glass.vdb box.obj $size --material BK7 --medium-material Fused_Silica
+    has_values glass.vdb "1.45846 0.0035399" ior dispersion.medium
+    makes glass.vdb box.obj $size --material bk7 --unit 10 --medium-material water --medium-ior 1.5 \
+        --medium-dispersion 0.5
+    has_values glass.vdb "1.5 0.5 [3, 0.47, 0]" ior dispersion.medium absorption.medium
+    refuses 64 box.obj -o out.vdb --material bk8
+    says "--material: found 'bk8' (did you mean bk7?), expected one of acrylic, air, bk7, .*, or none"
+}
+
+test_some_have_a_material() {
+    local size="--resolution 21 --padding 3"
+    makes mixed.vdb box.obj far.obj $size --material bk7 --material none --ior none --ior 1.33 \
+        --abbe none --abbe 50
+    has_values mixed.vdb "1.5168 1.33 0.0042175" ior.box ior.far dispersion.box
+    makes mixed.vdb two.obj $size --material none --material water --ior 1.5 --ior None
+    has_values mixed.vdb "1.5 1.3334" ior.two.near_a_ ior.two.far
+    refuses 64 box.obj far.obj -o out.vdb --material bk7 --material none
+    says "--ior: none for object 2, expected one, or a --material"
+    refuses 64 two.obj -o out.vdb --material bk7 --material none # known when it has been read
+    says "--ior: none for object 2"
+    refuses 64 box.obj far.obj -o out.vdb --ior 1.5 --abbe none --abbe 50 --dispersion 0.01
+    says "--abbe: given with --dispersion for object 2, expected one of the two"
+    makes mixed.vdb box.obj far.obj $size --ior 1.5 --abbe none --abbe 50 --dispersion 0.01 \
+        --dispersion none
+    refuses 64 box.obj -o out.vdb --ior 1.5 --medium-abbe 50 --medium-dispersion 0.01
+    says "--medium-abbe"
+}
+
+test_abbe_numbers() {
+    # (1.5 - 1) / 50 / (1 / 0.48613^2 - 1 / 0.65627^2)
+    makes abbe.vdb box.obj $small --abbe 50 --medium-ior 1.25 --medium-abbe 25
+    has_values abbe.vdb "0.00523655 0.00523655" dispersion.box dispersion.medium
+}
+
+test_materials_are_told() {
+    expect 0 mesh2vol box.obj far.obj --explain --material sf10 --material none --ior none --ior 1.3 \
+        --medium-material water --unit 0.1
+    prints "^material box: sf10, ior 1.72825, dispersion 0.0134233, absorption 0.033"
+    prints "^material medium: water, ior 1.3334, dispersion 0.0031311, absorption 0.03"
+    grep -q "^material far" stdout && fail "a number is called a material"
+    makes unit.vdb box.obj --material diamond --resolution 36 --unit 0.1
+    says "warning: --unit: nothing absorbs by its material's name"
+    makes unit.vdb box.obj --material bk7 --resolution 36 --unit 0.1
+    is_silent
+    local name
+    expect 0 mesh2vol --help
+    for name in acrylic bk7 diamond f2 fused-silica ice polycarbonate sapphire sf10 water zircon; do
+        prints "[ ,]$name\(,\|$\)"
+    done
+}
+
 test_objects_of_a_file() {
     makes two.vdb two.obj $small
     has_grids two.vdb ior ior.two.far ior.two.near_a_ sdf.two.far sdf.two.near_a_
@@ -328,6 +417,8 @@ test_names() {
     expect 0 mesh2vol -o several.vdb --ior 1.5 --ior 1.2 --resolution 20 --padding 3 \
         --name first --name second.part box.obj box.obj # outputs before meshes
     has_grids several.vdb ior ior.first ior.second.part sdf.first sdf.second.part
+    makes several.vdb box.obj far.obj $small --name none --name second
+    has_grids several.vdb ior ior.box ior.second sdf.box sdf.second
     makes same.vdb box.obj box.obj $small --boundary blurred # where objects have no names
     cp box.obj 'a,b[1].obj'
     makes named.vdb 'a,b[1].obj' $small

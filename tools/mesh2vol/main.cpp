@@ -3,7 +3,7 @@
 #include "common/session.h"
 #include "gpu/device.h"
 #include "mesh/read.h"
-#include "mesh2vol/objects.h"
+#include "mesh2vol/material_facts.h"
 #include "voxelize/accept.h"
 #include "voxelize/curve.h"
 #include "voxelize/voxelize.h"
@@ -137,6 +137,10 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
     if (!session.explains()) session.outputs(); // a bad path shows before the work
     Objects objects = readObjects(session, o);
     voxelize::Params params = mesh2vol::paramsOf(o, objects.sources);
+    for (const auto& fact : mesh2vol::materialFacts(o, objects.sources, params))
+        objects.facts.push_back(fact);
+    if (o.unit && !mesh2vol::absorbsByName(o, objects.sources))
+        session.warn("--unit: nothing absorbs by its material's name: does nothing");
     for (size_t k = 0; k < params.objects.size(); ++k)
         params.objects[k].mesh = std::move(objects.meshes[k]);
     session.pass("smooth", [&] {
@@ -165,5 +169,6 @@ int main(int argc, char** argv) {
                                       "scene volume.");
     mesh2vol::Options options;
     mesh2vol::addOptions(session.app(), options);
+    session.requireOneOf({"--ior", "--material"});
     return session.run(argc, argv, [&](tool::Session&) { voxelizeMeshes(session, options); });
 }

@@ -21,9 +21,18 @@ public:
     ObjectValues(const Options& options, const voxelize::Place& place)
         : mOptions(options), mPlace(place) {}
 
-    std::string text(const std::string& option, const std::string& fallback) const {
+    const voxelize::Place& place() const { return mPlace; }
+    const std::optional<double>& unit() const { return mOptions.unit; }
+
+    bool has(const std::string& option) const {
         const std::vector<std::string>& given = mOptions.given(option);
-        return given.empty() ? fallback : voxelize::forObject(option, given, mPlace);
+        return !given.empty() && !isNone(voxelize::forObject(option, given, mPlace));
+    }
+    std::string text(const std::string& option, const std::string& fallback) const {
+        return has(option) ? voxelize::forObject(option, mOptions.given(option), mPlace) : fallback;
+    }
+    const optics::NamedMaterial* material() const {
+        return materialOf("--material", text("--material", kNone));
     }
     void number(const std::string& option, double& value) const {
         const std::string found = text(option, toText(value));
@@ -38,8 +47,7 @@ public:
         return found == "yes";
     }
     void rgb(const std::string& option, glm::dvec3& value) const {
-        if (!mOptions.given(option).empty())
-            value = tool::parseVector(option, text(option, ""), true);
+        if (has(option)) value = tool::parseVector(option, text(option, ""), true);
     }
 
 private:
@@ -56,11 +64,30 @@ inline int priorityOf(const ObjectValues& values) {
     return priority;
 }
 
+/// Throws UsageError of an object whose index is not known, or its dispersion known twice.
+inline void checkTogether(const ObjectValues& values) {
+    const std::string object = " for object " + std::to_string(values.place().object + 1);
+    if (!values.has("--ior") && !values.has("--material"))
+        throw UsageError("--ior: none" + object + ", expected one, or a --material");
+    if (values.has("--abbe") && values.has("--dispersion"))
+        throw UsageError("--abbe: given with --dispersion" + object + ", expected one of the two");
+}
+
 inline voxelize::Object objectOf(const ObjectValues& values) {
     voxelize::Object object;
     voxelize::Material& m = object.material;
+    if (const optics::NamedMaterial* material = values.material()) {
+        m.ior = material->ior;
+        m.dispersion = material->dispersion;
+        m.absorption = absorptionOf(*material, values.unit());
+    }
     values.number("--ior", m.ior);
     values.number("--dispersion", m.dispersion);
+    if (values.has("--abbe")) {
+        double abbe = 0;
+        values.number("--abbe", abbe);
+        m.dispersion = dispersionBy("--abbe", abbe, m.ior);
+    }
     values.rgb("--absorption", m.absorption);
     values.rgb("--scattering", m.scattering);
     values.number("--anisotropy", m.anisotropy);
@@ -90,11 +117,10 @@ inline std::string nameOfFile(const Options& o, size_t file) {
 
 /// The name given to this object, or to its file or that file's own; then the part behind it.
 inline std::string nameOf(const Options& o, const Source& source, const voxelize::Place& place) {
-    const std::vector<std::string>& given = o.given("--name");
-    if (!given.empty() && given.size() == place.objects) return given[place.object];
-    const std::string name =
-        given.empty() ? nameOfFile(o, source.file) : voxelize::forObject("--name", given, place);
-    return source.part.empty() ? name : name + "." + madeValid(source.part);
+    const ObjectValues values(o, place);
+    const std::string name = values.text("--name", nameOfFile(o, source.file));
+    const bool isItsOwn = values.has("--name") && o.given("--name").size() == place.objects;
+    return source.part.empty() || isItsOwn ? name : name + "." + madeValid(source.part);
 }
 
 /// Whether an option was given for each object rather than for all, or for each mesh.
@@ -104,11 +130,16 @@ inline bool tellsObjectsApart(const Options& o) {
     });
 }
 
+inline voxelize::Place placeOf(const Options& o, const std::vector<Source>& sources, size_t k) {
+    return {k, sources.size(), sources[k].file, o.meshes.size()};
+}
+
 /// The scene's parameters, all but the objects' triangles, checked. Throws UsageError.
 inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& sources) {
     voxelize::Params params = sceneOf(o);
     for (size_t k = 0; k < sources.size(); ++k) {
-        const voxelize::Place place{k, sources.size(), sources[k].file, o.meshes.size()};
+        const voxelize::Place place = placeOf(o, sources, k);
+        checkTogether({o, place});
         params.objects.push_back(objectOf({o, place}));
         params.objects.back().name = nameOf(o, sources[k], place);
     }
@@ -118,10 +149,13 @@ inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& so
 
 /// Throws UsageError of whatever is wrong however many objects the meshes hold.
 inline void checkBeforeReading(const Options& o) {
-    for (const std::string& path : o.meshes)
-        if (parseNumbers(path) && !std::filesystem::exists(path))
-            throw UsageError(path + ": is a number, not a mesh: an option takes one value, and is "
-                                    "given once for all or again for each (--ior 1.5 --ior 1.33)");
+    for (const std::string& path : o.meshes) {
+        const bool named = optics::findMaterial(path) != nullptr;
+        if ((named || parseNumbers(path)) && !std::filesystem::exists(path))
+            throw UsageError(path + ": is a " + (named ? "material" : "number") +
+                             ", not a mesh: an option takes one value, and is given once for all "
+                             "or again for each (--ior 1.5 --ior 1.33)");
+    }
     Options each = o;
     size_t most = o.meshes.size();
     for (const PerMesh& option : o.perMesh) most = std::max(most, option.given.size());
@@ -131,6 +165,8 @@ inline void checkBeforeReading(const Options& o) {
     if (params.sharp) voxelize::requireSharpCount(most);
     params.sharp = false; // names are looked at when all are known
     for (size_t k = 0; k < most; ++k) {
+        // Which value goes with which is known where no option is given for each object.
+        if (most == o.meshes.size()) checkTogether({each, {k, most, k, most}});
         params.objects.push_back(objectOf({each, {k, most, k, most}}));
         params.objects.back().name =
             most == o.meshes.size() ? nameOfFile(o, k) : "object " + std::to_string(k + 1);

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "common/session.h"
+#include "mesh2vol/medium.h"
 #include "voxelize/params.h"
 
 #include <deque>
@@ -21,6 +22,8 @@ struct PerMesh {
 struct Options {
     std::vector<std::string> meshes;
     std::deque<PerMesh> perMesh; // a deque, for CLI11 keeps addresses
+    Medium medium;
+    std::optional<double> unit; // [m]
     std::string bounds, boundary = "sharp";
     double voxelSize = 0;
     CLI::Option* voxelSizeOption = nullptr;
@@ -41,12 +44,18 @@ inline CLI::Option* addPerMesh(CLI::App& app, Options& o, const std::string& opt
         ->type_name(type)
         ->allow_extra_args(false)
         ->group("Objects (given once for all, once for each mesh, or once for each object in them, "
-                "in their order)");
+                "in their order; none: not for that one)");
 }
 
 inline void addObjectOptions(CLI::App& app, Options& o) {
-    addPerMesh(app, o, "--ior", "N", "refractive index at 587.6 nm")->required();
+    addPerMesh(app, o, "--material", "NAME",
+               "index, dispersion and, by --unit, absorption, where they are not given: " +
+                   join(optics::materialNames(), ", "));
+    addPerMesh(app, o, "--ior", "N", "refractive index at 587.6 nm");
     addPerMesh(app, o, "--dispersion", "B", "Cauchy B [µm²] (default 0)");
+    addPerMesh(app, o, "--abbe", "V",
+               "instead of --dispersion: the Abbe number (n_d - 1) / (n_F - n_C), 1 to 1000; 0: "
+               "no dispersion");
     addPerMesh(app, o, "--absorption", "R,G,B", "or one number [1/unit] (default 0)");
     addPerMesh(app, o, "--scattering", "R,G,B", "or one number [1/unit] (default 0)");
     addPerMesh(app, o, "--anisotropy", "G", "Henyey-Greenstein g in (-1, 1) (default 0)");
@@ -66,32 +75,6 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
         "names several objects)");
 }
 
-inline void addMediumOptions(CLI::App& app, voxelize::Material& medium) {
-    const std::string group = "Surrounding medium";
-    app.add_option("--medium-ior", medium.ior, "refractive index")
-        ->type_name("N")
-        ->capture_default_str()
-        ->group(group);
-    app.add_option("--medium-dispersion", medium.dispersion, "Cauchy B [µm²]")
-        ->type_name("B")
-        ->capture_default_str()
-        ->group(group);
-    const std::string rgb = "or one number ";
-    tool::addVector(app, "--medium-absorption", medium.absorption, rgb + "[1/unit]", true)
-        ->type_name("R,G,B")
-        ->group(group);
-    tool::addVector(app, "--medium-scattering", medium.scattering, rgb + "[1/unit]", true)
-        ->type_name("R,G,B")
-        ->group(group);
-    app.add_option("--medium-anisotropy", medium.anisotropy, "Henyey-Greenstein g")
-        ->type_name("G")
-        ->capture_default_str()
-        ->group(group);
-    tool::addVector(app, "--medium-emission", medium.emission, rgb + "[radiance/unit]", true)
-        ->type_name("R,G,B")
-        ->group(group);
-}
-
 inline void addOptions(CLI::App& app, Options& o) {
     voxelize::Params& p = o.params;
     app.add_option(
@@ -101,8 +84,13 @@ inline void addOptions(CLI::App& app, Options& o) {
         ->type_name("MESH")
         ->required();
     addObjectOptions(app, o);
-    addMediumOptions(app, p.medium);
+    addMediumOptions(app, o.medium);
     const std::string group = "Volume";
+    app.add_option("--unit", o.unit,
+                   "metres in a unit of the meshes, by which named materials absorb; without it "
+                   "they do not")
+        ->type_name("METRES")
+        ->group(group);
     auto* resolution = app.add_option("--resolution", p.resolution,
                                       "voxels along the longest edge, padding included")
                            ->type_name("N")
@@ -154,6 +142,9 @@ inline void addOptions(CLI::App& app, Options& o) {
 /// The scene's parameters, all but the objects. Throws UsageError.
 inline voxelize::Params sceneOf(const Options& o) {
     voxelize::Params params = o.params;
+    if (o.unit && !(*o.unit >= 1e-9 && *o.unit <= 1e9))
+        throw UsageError("--unit: found " + toText(*o.unit) + ", expected 1e-9 to 1e9 metres");
+    params.medium = mediumOf(o.medium, o.unit);
     if (o.boundary != "sharp" && o.boundary != "blurred")
         throw UsageError("--boundary: found '" + o.boundary + "', expected sharp or blurred");
     params.sharp = o.boundary == "sharp";
