@@ -125,8 +125,8 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
         const volume::IndexBox& box = plan.scene.objects[k].inside;
         if (box.empty()) continue;
-        mBodies.push_back(
-            {{dvec3(box.min) - 1.0, dvec3(box.max) + 1.0}, plan.scene.regions[k].opaque});
+        mBodies.push_back({{dvec3(box.min) - 1.0, dvec3(box.max) + 1.0},
+                           plan.scene.regions[k].opaque && !plan.scene.regions[k].metal});
     }
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);

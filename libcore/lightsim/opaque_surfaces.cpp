@@ -41,7 +41,7 @@ bool mayReceive(const Scene& scene, const ivec3& voxel) {
     for (size_t k = 0; k < scene.objects.size(); ++k) {
         const float distance = scene.objects[k].distance.at(voxel);
         boundary |= std::abs(distance) < kReach;
-        opaque |= scene.regions[k].opaque && distance < kReach;
+        opaque |= scene.regions[k].opaque && !scene.regions[k].metal && distance < kReach;
     }
     return opaque && (boundary || isAtFace(voxel, scene.size()));
 }
@@ -94,7 +94,7 @@ std::int64_t OpaqueSurfaces::about() const {
 
 OpaqueSurfaces findSurfaces(const Scene& scene, int detail) {
     OpaqueSurfaces found;
-    if (!scene.anyOpaque()) return found;
+    if (!scene.anyMatt()) return found;
     if (scene.voxels() >= std::int64_t{1} << 31)
         throw MemoryError("more than 2^31 voxels hold opaque surfaces that receive light");
     const ivec3 size = scene.size(), first = scene.domain.firstBrick();

@@ -80,7 +80,7 @@ struct Params {
     double shadowCull = 1;            ///< a cell of which so much leads nowhere is not split
     double beamCutoff = 1e-3;     ///< a kind of path is not followed below this share of its light
     int bounces = 0;              ///< times that opaque surfaces send light on
-    int maxDepth = 32;            ///< sharp: most boundaries that a photon meets
+    int maxDepth = 64;            ///< sharp: most boundaries that a photon meets
     int maxSteps = 1 << 16;       ///< of one photon, after which it counts as trapped
     double dropBelow = 1e-5;      ///< a photon is dropped at this share of its first power
     double thinTo = 0.001;        ///< tracing ends when this share of the photons is left

@@ -43,7 +43,15 @@ bool isGrey(const image::Image& map) {
 }
 
 bool receives(const scene::Scene& scene) {
-    return scene.anyOpaque();
+    return scene.anyMatt();
+}
+
+/// "'glass' is", "'a', 'b' are".
+std::string roughNames(const scene::Scene& scene) {
+    std::vector<std::string> names;
+    for (const Region& region : scene.regions)
+        if (region.roughness > 0) names.push_back("'" + region.name + "'");
+    return join(names, ", ") + (names.size() == 1 ? " is" : " are");
 }
 
 /// What a render of the file would read: light where it scatters or falls on an opaque surface.
@@ -100,11 +108,15 @@ void listEffects(Plan& plan, const Params& params) {
     }
     add(irradiance);
     add({"photons", plan.photons,
-         plan.photons     ? "fluence is made of them"
+         plan.photons
+             ? plan.receivesInVolume() ? "fluence is made of them" : "irradiance is made of them"
          : plan.wavefront ? "--method wavefront"
                           : "no volume receives light"});
+    const bool rough = plan.scene.anyRough() && !plan.surfaces.empty();
     add({"beams", plan.beams,
-         plan.beams ? "irradiance is made of them" : "no surface receives light"});
+         plan.beams ? "irradiance is made of them"
+         : rough    ? roughNames(plan.scene) + " rough: photons carry light to surfaces"
+                    : "no surface receives light"});
     add({"bounces", plan.bounces > 0,
          plan.bounces > 0        ? "--bounces " + std::to_string(plan.bounces) + ", by photons"
          : params.bounces == 0   ? "--bounces 0"
@@ -125,6 +137,8 @@ void listEffects(Plan& plan, const Params& params) {
          : plan.attenuates    ? "the medium is grey"
                               : "nothing absorbs or scatters"});
     add(named("opaque"));
+    add(nothing(named("metal")));
+    add(nothing(named("roughness")));
     add(nothing(named("dispersion")));
 }
 
@@ -144,7 +158,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.bends = scene.index.varies();
     plan.attenuates = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
     plan.colour = scene.anyColoured({&Region::absorption, &Region::scattering}) ||
-                  (scene.sharp && scene.anyColoured({&Region::reflectance}));
+                  (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal();
     plan.dense = deepestVoxel(plan) > 0.25;
     plan.opaque = scene.anyOpaque();
     for (const Light& light : params.lights) {
@@ -161,10 +175,15 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     if (params.method == Method::beams && plan.receivesInVolume())
         throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
                          " scatters light; expected auto or photons");
-    plan.beams = params.method != Method::photons && !plan.surfaces.empty();
+    const bool rough = scene.anyRough();
+    if (rough && (params.method == Method::beams || params.method == Method::wavefront))
+        throw UsageError(
+            "--method: " + roughNames(scene) + " of " + volume.path() +
+            " rough, where light is carried by photons alone; expected auto or photons");
+    plan.beams = params.method != Method::photons && !plan.surfaces.empty() && !rough;
     plan.wavefront = params.method == Method::wavefront && plan.receivesInVolume();
-    plan.photons = (plan.receivesInVolume() && !plan.wavefront) ||
-                   (params.method == Method::photons && !plan.surfaces.empty());
+    plan.photons =
+        (plan.receivesInVolume() && !plan.wavefront) || (!plan.beams && !plan.surfaces.empty());
     if (!plan.surfaces.empty() && scene.anyHas(&Region::albedo)) plan.bounces = params.bounces;
     plan.colour |= plan.bounces > 0 && scene.anyColoured({&Region::albedo});
     // Parts of an environment differ in colour, and their photons share batches.

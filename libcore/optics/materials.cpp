@@ -13,6 +13,14 @@ namespace {
 constexpr double kF = 0.48613, kC = 0.65627;
 constexpr double kBetweenFAndC = 1 / (kF * kF) - 1 / (kC * kC); // [1/µm²]
 
+std::string plain(std::string name) {
+    for (char& c : name) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        if (c == '_') c = '-';
+    }
+    return name;
+}
+
 } // namespace
 
 const std::vector<NamedMaterial>& namedMaterials() {
@@ -57,16 +65,44 @@ std::vector<std::string> materialNames() {
 }
 
 const NamedMaterial* findMaterial(const std::string& name) {
-    std::string wanted = name;
-    for (char& c : wanted) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        if (c == '_') c = '-';
-    }
+    std::string wanted = plain(name);
     if (wanted == "n-bk7") wanted = "bk7"; // as SCHOTT calls what is melted today
     const std::vector<NamedMaterial>& all = namedMaterials();
     const auto found = std::find_if(all.begin(), all.end(), [&](const NamedMaterial& material) {
         return material.name == wanted;
     });
+    return found == all.end() ? nullptr : &*found;
+}
+
+const std::vector<NamedMetal>& namedMetals() {
+    // At 611.4, 549.1 and 464.2 nm, where the lines from D65 through Rec. 709's primaries leave the
+    // spectrum, between the nearest of the published wavelengths; at room temperature.
+    static const std::vector<NamedMetal> kMetals{
+        // McPeak et al., ACS Photonics 2, 326 (2015): smooth films.
+        {"aluminium", {1.045, 0.786, 0.526}, {6.481, 5.842, 4.934}},
+        // Johnson and Christy, Phys. Rev. B 6, 4370 (1972).
+        {"copper", {0.362, 1.015, 1.247}, {3.127, 2.579, 2.453}},
+        {"gold", {0.222, 0.428, 1.335}, {3.208, 2.461, 1.872}},
+        // Johnson and Christy, Phys. Rev. B 9, 5056 (1974).
+        {"iron", {2.890, 2.950, 2.643}, {3.040, 2.930, 2.803}},
+        // As copper.
+        {"silver", {0.058, 0.060, 0.047}, {4.106, 3.590, 2.795}},
+    };
+    return kMetals;
+}
+
+std::vector<std::string> metalNames() {
+    std::vector<std::string> names;
+    for (const NamedMetal& metal : namedMetals()) names.push_back(metal.name);
+    return names;
+}
+
+const NamedMetal* findMetal(const std::string& name) {
+    std::string wanted = plain(name);
+    if (wanted == "aluminum") wanted = "aluminium";
+    const std::vector<NamedMetal>& all = namedMetals();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const NamedMetal& metal) { return metal.name == wanted; });
     return found == all.end() ? nullptr : &*found;
 }
 

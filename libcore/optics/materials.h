@@ -16,12 +16,23 @@ struct NamedMaterial {
     glm::dvec3 absorption{0}; ///< what a short way takes from white light [1/m]
 };
 
+/// A conductor's complex index n + i k, by linear Rec. 709's channels.
+struct NamedMetal {
+    std::string name;
+    glm::dvec3 index, extinction;
+};
+
 /// All of them, in order of their names. docs/materials.md has their sources and errors.
 const std::vector<NamedMaterial>& namedMaterials();
 std::vector<std::string> materialNames();
 
 /// Upper case is as lower, '_' as '-', and N-BK7 is bk7. Null where there is none of that name.
 const NamedMaterial* findMaterial(const std::string& name);
+
+const std::vector<NamedMetal>& namedMetals();
+std::vector<std::string> metalNames();
+/// Upper case is as lower, and aluminum is aluminium. Null where there is none of that name.
+const NamedMetal* findMetal(const std::string& name);
 
 /// Cauchy B [µm²] of an index n_d whose Abbe number (n_d − 1) / (n_F − n_C) is `abbe`; 0: none.
 double dispersionOf(double ior, double abbe);

@@ -50,6 +50,14 @@ Effect refraction(const Scene& scene) {
                 : "the index is the same everywhere"};
 }
 
+/// Of sharp boundaries alone.
+Effect mirrors(const Scene& scene, const char* name, const Region* who) {
+    return {name, who != nullptr,
+            !scene.sharp ? "boundaries are blurred"
+            : who        ? "'" + who->name + "' is"
+                         : "nothing is"};
+}
+
 Effect opaque(const Scene& scene) {
     if (!scene.sharp) {
         Effect effect = coefficient(scene, "opacity", &Region::opacity);
@@ -79,6 +87,10 @@ std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing
     effects.push_back(coefficient(scene, "anisotropy", &Region::anisotropy));
     effects.push_back(coefficient(scene, "emission", &Region::emission));
     effects.push_back(opaque(scene));
+    effects.push_back(mirrors(
+        scene, "metal", firstRegion(scene, [](const Region& r) { return r.metal.has_value(); })));
+    effects.push_back(mirrors(scene, "roughness",
+                              firstRegion(scene, [](const Region& r) { return r.roughness > 0; })));
     effects.push_back(dispersion(scene, tracing.wavelengths));
     return effects;
 }

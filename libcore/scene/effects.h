@@ -8,7 +8,7 @@
 namespace eikonal::scene {
 
 /// Of a whole scene, in this order: sharp_boundaries, refraction, curved_rays (sharp boundaries
-/// alone), absorption, scattering, anisotropy, emission, opaque, dispersion.
+/// alone), absorption, scattering, anisotropy, emission, opaque, metal, roughness, dispersion.
 /// `tracing` is what was asked for.
 std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing);
 

@@ -159,9 +159,13 @@ Values readValues(const volume::Volume& volume, const std::string& grid,
     return Reader(volume, box, nullptr, "", false)(grid);
 }
 
-Region readRegion(const volume::Volume& volume, const std::string& name,
+Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts,
                   const volume::IndexBox& box, const Object* object, bool own) {
-    return readAll(name, object, Reader(volume, box, object, name, own));
+    Region region = readAll(facts.name, object, Reader(volume, box, object, facts.name, own));
+    region.roughness = facts.roughness;
+    region.metal = facts.metal;
+    region.opaque = region.opaque || region.metal;
+    return region;
 }
 
 RegionParams paramsOf(const Region& region, float voxelSize, float page) {
@@ -172,7 +176,10 @@ RegionParams paramsOf(const Region& region, float voxelSize, float page) {
     params.scattering = vec4(region.scattering.value * voxelSize, region.anisotropy.value.x);
     params.emission = vec4(region.emission.value * voxelSize, 0);
     params.albedo = vec4(region.albedo.value, 0);
-    params.reflectance = vec4(region.reflectance.value, 0);
+    params.reflectance = vec4(region.reflectance.value, region.roughness);
+    if (!region.metal) return params;
+    params.metalIndex = vec4(region.metal->index, 1);
+    params.metalExtinction = vec4(region.metal->extinction, 0);
     return params;
 }
 

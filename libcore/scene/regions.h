@@ -5,6 +5,7 @@
 #include "scene/objects.h"
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 
 namespace eikonal::scene {
@@ -34,6 +35,8 @@ struct Region {
     Values dispersion; ///< Cauchy's B [µm²]
     Values absorption, scattering, anisotropy, emission, albedo, reflectance, opacity;
     bool opaque = false; ///< of sharp boundaries: all of it
+    float roughness = 0; ///< GGX's α of its boundary
+    std::optional<volume::Metal> metal;
 
     /// At a term of Cauchy's law [1/µm²]; of sharp boundaries.
     float indexAt(const glm::ivec3& voxel, float term) const;
@@ -55,7 +58,7 @@ Values readValues(const volume::Volume& volume, const std::string& grid,
 /// Reads the region of an object, or of what surrounds them all where `object` is null. Grids vary
 /// only where that can be seen: within the object and three voxels round it. `own`: its values are
 /// grids of its own, else the plain ones.
-Region readRegion(const volume::Volume& volume, const std::string& name,
+Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts,
                   const volume::IndexBox& box, const Object* object, bool own);
 
 /// As the device reads it, lengths in voxels; `page` is where its coefficients that vary begin, −1

@@ -96,9 +96,9 @@ void readObjects(Scene& scene, const volume::Volume& volume) {
         const bool own = !object.name.empty() && volume.has(volume::ownGrid("ior", object.name));
         scene.objects.push_back(readObject(volume, object.sdf, scene.domain));
         scene.regions.push_back(
-            readRegion(volume, object.name, scene.domain, &scene.objects.back(), own));
+            readRegion(volume, object, scene.domain, &scene.objects.back(), own));
     }
-    scene.regions.push_back(readRegion(volume, volume::kMedium, scene.domain, nullptr, true));
+    scene.regions.push_back(readRegion(volume, {volume::kMedium, ""}, scene.domain, nullptr, true));
 }
 
 /// Whether rays of some wavelengths go other ways than those of 587.6 nm: what disperses refracts.
@@ -175,8 +175,24 @@ bool Scene::anyOpaque() const {
     });
 }
 
+bool Scene::anyMetal() const {
+    return std::any_of(regions.begin(), regions.end(),
+                       [](const Region& region) { return region.metal.has_value(); });
+}
+
+bool Scene::anyRough() const {
+    return std::any_of(regions.begin(), regions.end(),
+                       [](const Region& region) { return region.roughness > 0; });
+}
+
+bool Scene::anyMatt() const {
+    return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
+        return sharp ? region.opaque && !region.metal : region.opacity.most(0) > 0.5f;
+    });
+}
+
 bool Scene::showsLight() const {
-    const bool receives = sharp ? anyOpaque() : anyHas(&Region::opacity);
+    const bool receives = sharp ? anyMatt() : anyHas(&Region::opacity);
     return receives || anyHas(&Region::scattering);
 }
 
@@ -238,7 +254,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
         if (wanted.surfaces && scene.anyOpaque()) region.albedo = readFirst(files, "albedo");
     }
     if (!wanted.light) return scene;
-    if (scene.anyOpaque()) scene.light.surfaces = readSurfaceLight(files);
+    if (scene.anyMatt()) scene.light.surfaces = readSurfaceLight(files);
     if (!scene.anyHas(&Region::scattering)) return scene;
     scene.light.fluence = readFluence(files);
     if (!scene.light.fluence.isZero() && scene.anyHas(&Region::anisotropy))

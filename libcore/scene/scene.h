@@ -69,6 +69,10 @@ struct Scene {
     bool anyColoured(std::initializer_list<RegionValues> values) const;
     /// Whether something stops light: an object, or voxels of an opacity above ½.
     bool anyOpaque() const;
+    /// Of those, whether some shows the light that falls on it.
+    bool anyMatt() const;
+    bool anyMetal() const; ///< with sharp boundaries
+    bool anyRough() const; ///< the same
     /// Whether light is seen anywhere: where it is scattered, or falls on what is opaque.
     bool showsLight() const;
     /// How many regions have coefficients that vary, of sharp boundaries.

@@ -29,7 +29,9 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"NEAR", scene.sharp && areMany(scene.objects) ? mostNear(scene.objects) : 0},
             {"PACKED", scene.sharp && isPacked(scene.objects)},
             {"VARIES", scene.sharp && scene.varyingRegions() > 0},
-            {"OPAQUE", scene.anyOpaque()}};
+            {"OPAQUE", scene.anyOpaque()},
+            {"METALS", scene.anyMetal()},
+            {"ROUGH", scene.anyRough()}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

@@ -28,7 +28,7 @@ struct PointLights {
 
 struct Params : optics::Tracing {
     Camera camera;
-    int maxDepth = 32; ///< sharp: most boundaries that a ray meets
+    int maxDepth = 64; ///< sharp: most boundaries that a ray meets
     /// Sharp: a reflection of a smaller share of its ray's light is not followed, and what is
     /// refracted takes that along; below its square a branch is dropped. What floats hold of a
     /// picture is three decimals.

@@ -91,9 +91,7 @@ constexpr std::int64_t kMostRestBytes = std::int64_t{32} << 20;
 /// shaders/view/rest.glsl takes, of which the kernel fits in as many as it can.
 std::int64_t restBytes(const Plan& plan, const Params& params) {
     if (!plan.scene.sharp) return 0;
-    const std::int64_t one =
-        1024 +
-        96 * std::int64_t{std::bit_ceil(static_cast<unsigned>(std::max(params.maxDepth, 1)))};
+    const std::int64_t one = 1024 + 96 * std::int64_t{branchesWaiting(params)};
     const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
     return std::min(2 * strip * one, kMostRestBytes);
 }
@@ -114,6 +112,11 @@ const std::vector<std::string>& allAovs() {
         return names;
     }();
     return kNames;
+}
+
+int branchesWaiting(const Params& params) {
+    const auto depth = static_cast<unsigned>(std::clamp(params.maxDepth, 1, 32));
+    return static_cast<int>(std::bit_ceil(depth));
 }
 
 int rowsPerStrip(const Params& params) {

@@ -12,6 +12,10 @@ namespace eikonal::view {
 /// half of what every device holds, and progress is shown now and then.
 int rowsPerStrip(const Params& params);
 
+/// How many of a ray's branches may wait. What is mirrored when they are as many goes along with
+/// what is refracted, as where it is too dim to follow.
+int branchesWaiting(const Params& params);
+
 /// Whether the kernel writes each ray's path, which AOVs and coloured opacities are made from.
 bool wantsPaths(const Plan& plan, const Params& params);
 

@@ -35,13 +35,16 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
                                           : anisotropy.why});
     add(named("emission"));
     add(named("opaque"));
+    add(named("metal"));
+    add(named("roughness"));
     const bool stored = !scene.light.surfaces.empty(), points = !params.points.empty();
-    add({"irradiance", plan.opaque && (stored || points),
-         plan.opaque && points
+    const bool matt = scene.anyMatt();
+    add({"irradiance", matt && (stored || points),
+         matt && points
              ? stored ? "--light, and grid 'irradiance' where that has no point" : "--light"
-         : plan.opaque && stored ? "grid 'irradiance'"
-         : plan.opaque           ? "no grid 'irradiance'"
-                                 : "nothing is opaque"});
+         : matt && stored ? "grid 'irradiance'"
+         : matt           ? "no grid 'irradiance'"
+                          : "nothing is opaque and no metal"});
     add({"colour", plan.colour,
          plan.colour ? "coefficients or light differ by wavelength" : "medium and light are grey"});
     const bool glows = params.background != glm::dvec3(0);
@@ -55,7 +58,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     for (const std::string& idle : scene::idleWarnings(files, all)) plan.warnings.push_back(idle);
     if (scattering.on && !plan.lit())
         plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
-    if (plan.opaque && scene.light.surfaces.empty() && params.points.empty())
+    if (matt && scene.light.surfaces.empty() && params.points.empty())
         plan.warnings.push_back("what is opaque in " + scene.path +
                                 " is black, since no light is stored on it: run lightsim first");
 }
@@ -80,7 +83,7 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
         plan.scatters && scene.anyHas(&Region::anisotropy) && !scene.light.direction.isZero();
     plan.colour =
         scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
-        (scene.sharp && scene.anyColoured({&Region::reflectance})) ||
+        (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
         (plan.scatters && !scene.light.fluence.grey());
     listEffects(plan, params, files);
     return plan;

@@ -40,7 +40,6 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     // not.
     const bool sharp = plan.scene.sharp;
     const bool glows = plan.scatters || (plan.emits && !sharp);
-    const auto depth = static_cast<unsigned>(std::max(params.maxDepth, 1));
     gpu::Switches list = scene::transportSwitches(plan.scene, params);
     list.emplace_back("CHANNELS", plan.colour ? 3 : plan.dims ? 1 : 0);
     list.emplace_back("SOURCE", plan.anisotropic ? 2 : glows ? 1 : 0);
@@ -50,7 +49,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("POINTS", !params.points.empty());
     const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
     list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
-    list.emplace_back("WAITING", sharp ? static_cast<int>(std::bit_ceil(depth)) : 1);
+    list.emplace_back("WAITING", sharp ? branchesWaiting(params) : 1);
     return list;
 }
 
@@ -239,7 +238,8 @@ void Rays::bind() const {
 void Rays::trace(int row, int rows, const Launch& one) {
     mValues.picture.z = row;
     mValues.picture.w = rows;
-    mValues.pattern = vec4(one.place, one.first, one.shift);
+    mValues.pattern = vec4(one.place, one.first, 0);
+    mValues.ray = ivec4(one.number, one.shift, 0, 0);
     mValues.weight = one.weight;
     mValues.limits.z = 0;
     mValues.limits.w = 0;

@@ -27,6 +27,7 @@ struct Launch {
     glm::dvec2 place{0.5}; ///< where in its pixel it goes
     bool first = true;     ///< replaces what the picture held, and writes the ray's path
     vec4 weight{1};        ///< its share of the pixel's colour and, w, coverage
+    int number = 0;        ///< among its pixel's
     int shift = 0;         ///< of its line among a band's
 };
 

@@ -13,7 +13,7 @@ using glm::vec4;
 #include "shared/bindings.h"
 #include "shared/view_params.h"
 
-static_assert(sizeof(ViewParams) == 224);
+static_assert(sizeof(ViewParams) == 240);
 static_assert(sizeof(PixelPath) == 64);
 
 } // namespace eikonal::view

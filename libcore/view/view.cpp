@@ -85,7 +85,7 @@ double traceStrip(Rays& rays, Picture& picture, const std::vector<optics::Band>&
         rays.setLines(band.shifted);
         for (int sample = 0; sample < samples; ++sample) {
             launch({places[static_cast<size_t>(sample)], !paths && done == 0,
-                    vec4(glm::dvec3(share), coverage), lineShift(sample)});
+                    vec4(glm::dvec3(share), coverage), sample, lineShift(sample)});
             report(progress, static_cast<double>(++done) / all);
         }
     }

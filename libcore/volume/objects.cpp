@@ -3,6 +3,7 @@
 #include "volume/objects.h"
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <set>
@@ -14,15 +15,54 @@ namespace {
 constexpr const char* kName = "eikonal:object";
 constexpr const char* kPriority = "eikonal:priority";
 constexpr const char* kOrder = "eikonal:order";
+constexpr const char* kRoughness = "eikonal:roughness";
+constexpr const char* kMetalIndex = "eikonal:metal_index";
+constexpr const char* kMetalExtinction = "eikonal:metal_extinction";
+
+/// An item of metadata of that type, or null where it is absent.
+template<typename Meta>
+const Meta* itemOf(const openvdb::GridBase& grid, const char* key, const char* wanted,
+                   const std::string& where) {
+    const auto item = grid[key];
+    if (!item) return nullptr;
+    if (item->typeName() == Meta::staticTypeName()) return static_cast<const Meta*>(item.get());
+    throw DataError(where + ": its " + key + " is " + item->typeName() + " " + item->str() +
+                    ", expected " + wanted);
+}
 
 int integerOf(const openvdb::GridBase& grid, const char* key, int absent,
               const std::string& where) {
-    const auto item = grid[key];
-    if (!item) return absent;
-    if (item->typeName() == openvdb::Int32Metadata::staticTypeName())
-        return static_cast<const openvdb::Int32Metadata&>(*item).value();
-    throw DataError(where + ": its " + key + " is " + item->typeName() + " " + item->str() +
-                    ", expected an int32");
+    const auto* item = itemOf<openvdb::Int32Metadata>(grid, key, "an int32", where);
+    return item ? item->value() : absent;
+}
+
+float roughnessOf(const openvdb::GridBase& grid, const std::string& where) {
+    const auto* item = itemOf<openvdb::FloatMetadata>(grid, kRoughness, "a float", where);
+    const float roughness = item ? item->value() : 0;
+    if (!(roughness >= 0 && roughness <= 1))
+        throw DataError(where + ": its " + kRoughness + " is " + toText(roughness) +
+                        ", expected 0 to 1");
+    return roughness;
+}
+
+std::optional<Metal> metalOf(const openvdb::GridBase& grid, const std::string& where) {
+    const auto vectorOf = [&](const char* key) {
+        const auto* item = itemOf<openvdb::Vec3SMetadata>(grid, key, "a vec3s", where);
+        return item ? std::optional(glm::vec3(item->value()[0], item->value()[1], item->value()[2]))
+                    : std::nullopt;
+    };
+    const auto index = vectorOf(kMetalIndex), extinction = vectorOf(kMetalExtinction);
+    if (!index && !extinction) return {};
+    if (!index || !extinction)
+        throw DataError(where + ": it has one of " + kMetalIndex + " and " + kMetalExtinction +
+                        ", expected both");
+    for (int c = 0; c < 3; ++c)
+        if (!((*index)[c] > 0 && (*index)[c] < 1e3F && (*extinction)[c] >= 0 &&
+              (*extinction)[c] < 1e3F))
+            throw DataError(where + ": its metal has n " + toText((*index)[c]) + " and k " +
+                            toText((*extinction)[c]) +
+                            ", expected n above 0, k not below 0, both below 1000");
+    return Metal{*index, *extinction};
 }
 
 } // namespace
@@ -36,22 +76,28 @@ ObjectFacts objectOf(const openvdb::GridBase& grid, const std::string& sdf, int 
     ObjectFacts object;
     object.sdf = sdf;
     object.name = sdf == "sdf" ? "" : sdf.substr(4);
-    if (const auto item = grid[kName]) {
-        if (item->typeName() != openvdb::StringMetadata::staticTypeName())
-            throw DataError(where + ": its " + kName + " is " + item->typeName() +
-                            ", expected a string");
-        object.name = static_cast<const openvdb::StringMetadata&>(*item).value();
-    }
+    if (const auto* item = itemOf<openvdb::StringMetadata>(grid, kName, "a string", where))
+        object.name = item->value();
     object.priority = integerOf(grid, kPriority, 0, where);
     object.order = integerOf(grid, kOrder, position, where);
+    object.roughness = roughnessOf(grid, where);
+    object.metal = metalOf(grid, where);
     return object;
 }
 
 void describe(openvdb::GridBase& grid, const ObjectFacts& object) {
-    for (const char* key : {kName, kPriority, kOrder}) grid.removeMeta(key);
+    for (const char* key : {kName, kPriority, kOrder, kRoughness, kMetalIndex, kMetalExtinction})
+        grid.removeMeta(key);
     grid.insertMeta(kName, openvdb::StringMetadata(object.name));
     grid.insertMeta(kPriority, openvdb::Int32Metadata(object.priority));
     grid.insertMeta(kOrder, openvdb::Int32Metadata(object.order));
+    if (object.roughness > 0) grid.insertMeta(kRoughness, openvdb::FloatMetadata(object.roughness));
+    if (!object.metal) return;
+    const auto put = [&](const char* key, const glm::vec3& v) {
+        grid.insertMeta(key, openvdb::Vec3SMetadata(openvdb::Vec3s(v.x, v.y, v.z)));
+    };
+    put(kMetalIndex, object.metal->index);
+    put(kMetalExtinction, object.metal->extinction);
 }
 
 void settlePrecedence(std::vector<ObjectFacts>& objects, const std::string& path) {

@@ -58,12 +58,19 @@ struct GridFacts {
     IndexBox active;
 };
 
+/// A conductor's complex index n + i k, by linear Rec. 709's channels.
+struct Metal {
+    glm::vec3 index{1}, extinction{0};
+};
+
 /// An object of a scene: the space where its level set is negative.
 struct ObjectFacts {
-    std::string name; ///< its own values are the grids ownGrid(GRID, name)
-    std::string sdf;  ///< contract name of its level set: `sdf` or `sdf.NAME`
-    int priority = 0; ///< where objects overlap the higher wins, among equals the later
-    int order = 0;    ///< its place on the command line that made it, 0 first
+    std::string name;             ///< its own values are the grids ownGrid(GRID, name)
+    std::string sdf;              ///< contract name of its level set: `sdf` or `sdf.NAME`
+    int priority = 0;             ///< where objects overlap the higher wins, among equals the later
+    int order = 0;                ///< its place on the command line that made it, 0 first
+    float roughness = 0;          ///< GGX's α of its boundary [1]
+    std::optional<Metal> metal{}; ///< it mirrors all that it does not absorb
 };
 
 /// What surrounds all objects, where its values vary: `ior.medium` and its like. No object's name.

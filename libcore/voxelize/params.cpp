@@ -57,6 +57,7 @@ void checkMaterial(const Material& m, const ValueCheck& check) {
     check.one("opacity", m.opacity, "0 to 1", share);
     check.rgb("albedo", m.albedo, "0 to 1", share);
     check.rgb("reflectance", m.reflectance, "0 or more", notNegative);
+    check.one("roughness", m.roughness, "0 to 1", share);
 }
 
 void checkBounds(const mesh::Box& box) {

@@ -24,6 +24,8 @@ struct Material {
     double opacity = 0;        ///< 1: the viewing ray stops there [1]
     glm::dvec3 albedo{0};      ///< diffuse reflectance of what is opaque [1]
     glm::dvec3 reflectance{1}; ///< tint of the mirror reflection at the boundary [1]
+    double roughness = 0;      ///< GGX's α of the boundary, with sharp boundaries alone [1]
+    std::optional<volume::Metal> metal{}; ///< opaque, and a mirror; the same
 };
 
 struct Object {

@@ -109,7 +109,12 @@ void putOwnValues(volume::Volume& volume, const Params& params) {
 void putDistances(volume::Volume& volume, const Params& params, const Plan& plan) {
     for (size_t k = 0; k < params.objects.size(); ++k) {
         const Object& object = params.objects[k];
-        volume::ObjectFacts facts{object.name, "sdf", object.priority, static_cast<int>(k)};
+        volume::ObjectFacts facts{object.name,
+                                  "sdf",
+                                  object.priority,
+                                  static_cast<int>(k),
+                                  static_cast<float>(object.material.roughness),
+                                  object.material.metal};
         if (params.objects.size() > 1) facts.sdf = volume::ownGrid("sdf", object.name);
         volume.putLevelSet(facts, plan.box,
                            signedDistances(object.mesh, plan.lattice, params.sdfBand),

@@ -28,3 +28,21 @@ Dielectric dielectricAt(vec3 w, vec3 normal, float n, float beyond) {
     float R = square > 0.0 ? 0.5 * (s * s + p * p) : 1.0;
     return Dielectric(along - across * normal, along + (turn * b) * normal, R);
 }
+
+// The share of unpolarised light that a metal reflects, by the cosine with the normal and its complex index
+// n + i k over that of what is before it. Born and Wolf, §14.2, as real numbers.
+vec3 conductorReflectance(float cosine, vec3 n, vec3 k) {
+    float cos2 = cosine * cosine;
+    float sin2 = 1.0 - cos2;
+    vec3 n2 = n * n;
+    vec3 k2 = k * k;
+    vec3 difference = n2 - k2 - sin2;
+    vec3 both = sqrt(difference * difference + 4.0 * n2 * k2); // a² + b²
+    vec3 a = sqrt(max(0.5 * (both + difference), vec3(0.0)));
+    vec3 t = both + cos2;
+    vec3 u = 2.0 * cosine * a;
+    vec3 s = (t - u) / (t + u);
+    vec3 v = cos2 * both + sin2 * sin2;
+    vec3 w = u * sin2;
+    return 0.5 * s * (1.0 + (v - w) / (v + w));
+}

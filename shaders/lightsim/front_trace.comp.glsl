@@ -287,7 +287,7 @@ FrontHit hitFrom(inout CornerPath corner) {
     if (kObjects > 0 && corner.path.status == kMeets) {
         Interface at = interfaceAt(corner.path.ray, corner.path.objects, corner.ahead);
         hit.after = uvec4(wordsOf(at.objects), 0u, 0u);
-        if (kOpaqueObjects && at.here != at.there && isOpaque(at.there)) {
+        if (kOpaqueObjects && at.here != at.there && isMatt(at.there)) {
             corner.path.status = kStopped;
         } else if (!isNothing(at)) {
             Outgoing outgoing[kMostOutgoing];

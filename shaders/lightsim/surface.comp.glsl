@@ -51,14 +51,14 @@ ObjectSet objectsHolding(vec3 x) {
 }
 
 bool isOpaqueAt(vec3 x) {
-    return kObjects > 0 ? isOpaque(regionOf(objectsHolding(x))) : opacityAt(x) > 0.5;
+    return kObjects > 0 ? isMatt(regionOf(objectsHolding(x))) : opacityAt(x) > 0.5;
 }
 
 // 1 where what object k holds is opaque and what is beside it is not, −1 the other way round, else 0.
 float opaqueSideOf(int k, ObjectSet inside) {
     if (kObjects == 0) return 1.0;
-    bool within = isOpaque(regionOf(changed(inside, k, true)));
-    bool beside = isOpaque(regionOf(changed(inside, k, false)));
+    bool within = isMatt(regionOf(changed(inside, k, true)));
+    bool beside = isMatt(regionOf(changed(inside, k, false)));
     return float(within) - float(beside);
 }
 

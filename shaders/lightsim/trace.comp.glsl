@@ -109,13 +109,27 @@ void onSurface(inout Path path, inout Load load, Interface at) {
 #endif
 }
 
+// Numbers for a rough interface: of photons that start side by side they lie evenly at the first one.
+void chooseFacet(inout Interface at, uint id, int depth) {
+    uint seed = pcgHash(params.depth.y + 0x51ED270Bu * uint(depth));
+    uint x = id * 3242174889u + seed;
+    uint y = id * 2447445414u + pcgHash(seed);
+    if (depth > 1) {
+        x = pcgHash(id ^ seed);
+        y = pcgHash(x);
+    }
+    at.facetPlace = vec2(uniformOf(x), uniformOf(y));
+    at.facetSeed = pcgHash(id + seed);
+}
+
 void onInterface(inout Path path, inout Load load, Interface at) {
     if (path.depth >= int(params.depth.x)) {
         path.status = kDeep;
     } else {
+        ++path.depth;
+        if (kRoughBoundaries) chooseFacet(at, load.id, path.depth);
         Outgoing outgoing[kMostOutgoing];
         int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
-        ++path.depth;
         Outgoing ray = outgoing[0];
         uint seed = load.id ^ pcgHash(params.depth.y + uint(path.depth));
         if (rays > 1 && isWithin(load.chance, load.worth, outgoing[1].share, seed)) ray = outgoing[1];

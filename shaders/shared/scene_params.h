@@ -8,7 +8,9 @@ struct RegionParams {
     vec4 scattering;  // rgb [1/voxel]; w: g
     vec4 emission;    // rgb [radiance/voxel]
     vec4 albedo;      // rgb
-    vec4 reflectance; // rgb: tint of what its boundary mirrors
+    vec4 reflectance; // rgb: tint of what its boundary mirrors; w: GGX's α of it
+    vec4 metalIndex;      // rgb; w: 1 if it is metal
+    vec4 metalExtinction; // rgb
 };
 
 // Of many objects: the box of blocks of cells that an object's boundary or inside is in.

@@ -17,8 +17,9 @@ struct ViewParams {
     vec4 medium;  // x: index outside, y: throughput below which a reflection is not followed,
                   // z: Cauchy's B outside [µm²], w: 1 / x²
     vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays, whose path is
-                  // written; w: how far the band's lines are shifted
+                  // written
     vec4 weight;  // rgb: the ray's share of its pixel's colour; w: of its coverage
+    ivec4 ray;    // x: its number among its pixel's, y: how far the band's lines are shifted
 };
 
 // One pixel's result, beside its colour.

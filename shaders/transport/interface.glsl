@@ -1,6 +1,7 @@
 // What an interface between two media does to light: the rays that go on from it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lib/fresnel.glsl"
+#include "lib/microfacet.glsl"
 #include "transport/intersect.glsl"
 #include "transport/path.glsl"
 
@@ -14,6 +15,10 @@ struct Interface {
     float n;       // their indices
     float beyond;
     ObjectSet objects; // those that hold the far side
+    // What decides about a rough one, which the entry file may set: a place in [0, 1)² chooses the first facet,
+    // a number all else.
+    vec2 facetPlace;
+    uint facetSeed;
 };
 
 // A ray that goes on.
@@ -51,18 +56,85 @@ Interface interfaceAt(Ray ray, ObjectSet objects, Hit hit) {
     int here = regionOf(objects);
     int there = regionOf(after);
     return Interface(ray.x, normal, hit.object, here, there, indexOf(here, ray.x),
-                     indexOf(there, ray.x), after);
+                     indexOf(there, ray.x), after, vec2(0.5), 0u);
 }
 
 // Whether light goes on as if there were nothing.
 bool isNothing(Interface at) {
-    return at.here == at.there || at.n == at.beyond;
+    return at.here == at.there || (at.n == at.beyond && !isMetal(at.there));
 }
 
-// The rays into which one along w, within `objects`, parts: what is refracted first, if anything is.
+// x, y and the normal towards the side that a ray comes from.
+mat3 frameOf(Interface at) {
+    vec3 z = -at.normal;
+    vec3 helper = abs(z.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    vec3 x = normalize(cross(z, helper));
+    return mat3(x, cross(z, x), z);
+}
+
+// A ray that has left the facets of a rough interface.
+Outgoing outgoingFrom(Interface at, mat3 frame, Facing ray, float share, vec3 tint, ObjectSet objects) {
+    float n = ray.beyond ? at.beyond : at.n;
+    vec3 w = frame * (ray.w * (n / length(ray.w)));
+    ObjectSet holds = objects;
+    if (ray.beyond) holds = at.objects;
+    return Outgoing(w, share, tint * ray.tint, holds, abs(ray.w.z) / length(ray.w));
+}
+
+// Rays beyond and back from a rough interface; but that further facets may turn each.
+int scatterRough(Interface at, vec3 w, ObjectSet objects, float alpha, out Outgoing outgoing[kMostOutgoing]) {
+    mat3 frame = frameOf(at);
+    vec3 arrives = w * frame;
+    vec3 facet = firstFacet(arrives, alpha, at.facetPlace);
+    Dielectric made = dielectricAt(arrives, facet, at.n, at.beyond);
+    vec3 mirrors = scene.regions[at.object].reflectance.xyz;
+    Facing back = facingFrom(arrives, made.reflected, false, alpha, at.facetSeed);
+    back = amongFacets(back, at.n, at.beyond, alpha);
+    outgoing[1] = outgoingFrom(at, frame, back, made.reflectance, mirrors, objects);
+    outgoing[0] = outgoing[1];
+    bool total = made.reflectance == 1.0;
+    if (!total) {
+        Facing on = facingFrom(arrives, made.refracted, true, alpha, pcgHash(at.facetSeed ^ 0x9E3779B9u));
+        on = amongFacets(on, at.n, at.beyond, alpha);
+        outgoing[0] = outgoingFrom(at, frame, on, 1.0 - made.reflectance, vec3(1.0), objects);
+    }
+    return total ? 1 : 2;
+}
+
+// The ray back from metal.
+int scatterMetal(Interface at, vec3 w, ObjectSet objects, float alpha, out Outgoing outgoing[kMostOutgoing]) {
+    vec3 index = scene.regions[at.there].metalIndex.xyz / at.n;
+    vec3 extinction = scene.regions[at.there].metalExtinction.xyz / at.n;
+    vec3 mirrors = scene.regions[at.object].reflectance.xyz;
+    float across = dot(w, at.normal);
+    if (kRoughBoundaries && alpha > 0.0) {
+        mat3 frame = frameOf(at);
+        vec3 arrives = w * frame;
+        vec3 facet = firstFacet(arrives, alpha, at.facetPlace);
+        float towards = dot(arrives, facet);
+        Facing back = facingFrom(arrives, arrives - 2.0 * towards * facet, false, alpha, at.facetSeed);
+        back.tint = conductorReflectance(min(-towards / at.n, 1.0), index, extinction);
+        back = amongMetalFacets(back, index, extinction, alpha);
+        outgoing[0] = outgoingFrom(at, frame, back, 1.0, mirrors, objects);
+    } else {
+        float cosine = min(across / at.n, 1.0);
+        outgoing[0] = Outgoing(w - 2.0 * across * at.normal, 1.0,
+                               mirrors * conductorReflectance(cosine, index, extinction), objects, cosine);
+    }
+    outgoing[1] = outgoing[0];
+    return 1;
+}
+
+// The rays into which one that arrives within `objects` parts: what is refracted first, if anything is.
 // Returns how many.
-int scatterAt(Interface at, vec3 w, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
-    Dielectric made = dielectricAt(w * (at.n / length(w)), at.normal, at.n, at.beyond);
+int scatterAt(Interface at, vec3 arriving, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
+    vec3 w = arriving * (at.n / length(arriving));
+    if (kMetals || kRoughBoundaries) {
+        float alpha = scene.regions[at.object].reflectance.w;
+        if (isMetal(at.there)) return scatterMetal(at, w, objects, alpha, outgoing);
+        if (kRoughBoundaries && alpha > 0.0) return scatterRough(at, w, objects, alpha, outgoing);
+    }
+    Dielectric made = dielectricAt(w, at.normal, at.n, at.beyond);
     Outgoing reflected =
         Outgoing(made.reflected, made.reflectance, scene.regions[at.object].reflectance.xyz, objects,
                  abs(dot(at.normal, made.reflected)) / at.n);

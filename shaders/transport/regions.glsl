@@ -12,11 +12,13 @@
 #include "transport/index_field.glsl"
 #include "transport/level_set.glsl"
 
-#if !defined(VARIES) || !defined(OPAQUE)
-#error VARIES and OPAQUE must be 0 or 1
+#if !defined(VARIES) || !defined(OPAQUE) || !defined(METALS) || !defined(ROUGH)
+#error VARIES, OPAQUE, METALS and ROUGH must be 0 or 1
 #endif
 const bool kVaries = VARIES == 1; // some object's coefficients vary within it
 const bool kOpaqueObjects = OPAQUE == 1 && kObjects > 0; // some object is opaque
+const bool kMetals = METALS == 1; // some object is metal
+const bool kRoughBoundaries = ROUGH == 1;   // some object's boundary is rough
 const bool kOpaqueVoxels = OPAQUE == 1 && kObjects == 0; // blurred: opaque material ends paths
 // A page of voxels along z for each region that varies.
 layout(binding = kAbsorptionsUnit) uniform sampler3D absorptions; // [1/voxel], g
@@ -73,6 +75,15 @@ int regionOf(ObjectSet objects) {
 
 bool isOpaque(int region) {
     return kOpaqueObjects && scene.regions[region].index.z == 1.0;
+}
+
+bool isMetal(int region) {
+    return kMetals && scene.regions[region].metalIndex.w == 1.0;
+}
+
+// Opaque, and no mirror: light ends there.
+bool isMatt(int region) {
+    return isOpaque(region) && !isMetal(region);
 }
 
 bool indexVariesIn(int region) {

@@ -11,9 +11,8 @@
 const bool kDisperses = DISPERSION == 1;
 #if DISPERSION == 1
 layout(std140, binding = kSpectrumBlock) uniform Spectrum { SpectrumParams spectrum; };
-#endif
-
 float cauchyTerm = 0.0; // c [1/µm²]
+#endif
 
 // Takes one of the band's lines. Returns its share of white light.
 vec3 takeLine(uint number) {
@@ -28,7 +27,11 @@ vec3 takeLine(uint number) {
 
 // What follows the wavelength: a value at 587.6 nm, and its Cauchy B [µm²].
 float dispersed(float value, float slope) {
-    return kDisperses ? value + cauchyTerm * slope : value;
+#if DISPERSION == 1
+    return value + cauchyTerm * slope;
+#else
+    return value;
+#endif
 }
 
 // Of a pixel: two powers of the plastic number, so that neighbours take lines far from each other, and few

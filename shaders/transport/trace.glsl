@@ -292,7 +292,7 @@ Hit propagateBent(inout Path path, inout Load load, int region) {
 // Over an interface.
 void cross(inout Path path, inout Load load, Hit hit) {
     Interface at = interfaceAt(path.ray, path.objects, hit);
-    if (kOpaqueObjects && at.here != at.there && isOpaque(at.there)) {
+    if (kOpaqueObjects && at.here != at.there && isMatt(at.there)) {
         path.status = kStopped;
         onSurface(path, load, at);
     } else if (isNothing(at)) {

@@ -150,8 +150,18 @@ bool isBrighter(Branch branch, float least) {
     return brightest(branch.throughput) >= least;
 }
 
+// Numbers for a rough interface: each pixel, and each interface its rays meet, has two that the pixel's rays go on
+// from, so that few of them lie evenly.
+void chooseFacet(inout Interface at, int depth, int met) {
+    uint pixel = pcgHash(uint(pixelNow.x) ^ pcgHash(uint(pixelNow.y) + pcgHash(uint(depth + 64 * met))));
+    vec2 first = vec2(uniformOf(pixel), uniformOf(pcgHash(pixel)));
+    at.facetPlace = fract(first + float(params.ray.x) * vec2(0.7548776662466927, 0.5698402909980532));
+    at.facetSeed = pcgHash(pixel + uint(params.ray.x));
+}
+
 void onInterface(inout Path path, inout Load load, Interface at) {
     ++load.interfaces;
+    if (kRoughBoundaries) chooseFacet(at, path.depth, load.interfaces);
     if (path.depth >= params.limits.y) {
         load.deep += meanOf(path.throughput);
         path.status = kDeep;
@@ -164,7 +174,7 @@ void onInterface(inout Path path, inout Load load, Interface at) {
             // A reflection too dim to follow is not lost: what goes through takes its light along.
             // Dropped, it would add up to darkness where there are many boundaries.
             Branch mirrored = branchOf(path, at.x, outgoing[1]);
-            if (isBrighter(mirrored, params.medium.y)) waiting[waitingCount++] = mirrored;
+            if (isBrighter(mirrored, params.medium.y) && waitingCount < WAITING) waiting[waitingCount++] = mirrored;
             else {
                 vec3 both = next.throughput + mirrored.throughput;
                 if (kAovs && load.first) load.along *= both / max(next.throughput, vec3(1.0e-30));
@@ -198,7 +208,8 @@ bool onEnd(inout Path path, inout Load load) {
     if (kOpaqueVoxels && path.status == kStopped) reachVoxels(path, load);
     bool escapes = path.status == kLeft;
     bool traps = path.status == kTrapped;
-    if (escapes || traps) // it sees what is straight ahead
+    // What goes on no further sees what is straight ahead: a guess by which clear scenes stay clear.
+    if (escapes || traps || (kObjects > 0 && path.status == kDeep))
         load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) * outsideWeight();
     load.trapped = traps || load.trapped;
     if (load.first) load.firstPath = path;
@@ -245,7 +256,7 @@ void main() {
     Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, vec3(0.0),
                      camera.start, camera.start);
     vec3 white = vec3(1.0); // the share of white light that this ray sees
-    if (kDisperses) white = takeLine(lineOf(pixel) + uint(params.pattern.w));
+    if (kDisperses) white = takeLine(lineOf(pixel) + uint(params.ray.y));
     float n = outsideIndex(); // at the eye
     if (resumes) { // branches of a ray at rest
         n = rests[rested].n;
@@ -271,7 +282,8 @@ void main() {
         countPath(path, load);
         if (restAt >= 0) rest(n, at);
     }
-    vec3 light = white * (load.light + load.sky) * (n * n);
+    vec3 light = (load.light + load.sky) * (n * n);
+    if (kDisperses) light *= white;
     if (resumes) {
         colours[at] += params.weight * vec4(light, 0.0);
         return;

@@ -70,6 +70,19 @@ public:
         mVolume.putConstant(volume::ownGrid(grid, name), glm::vec3(value));
         return *this;
     }
+    /// Another boundary for a solid.
+    SceneVolume& boundary(const std::string& name, float roughness,
+                          const std::optional<volume::Metal>& metal = {}) {
+        const std::string sdf = name.empty() ? "sdf" : "sdf." + name;
+        const volume::IndexBox box{glm::ivec3(0), glm::ivec3(mVoxels - 1)};
+        for (volume::ObjectFacts facts : mVolume.objects()) {
+            if (facts.sdf != sdf) continue;
+            facts.roughness = roughness;
+            facts.metal = metal;
+            mVolume.putLevelSet(facts, box, mVolume.dense(sdf, box), 4);
+        }
+        return *this;
+    }
     /// Light on surfaces, stored all over a corner.
     SceneVolume& shine() {
         volume::FineGrid light;
@@ -158,6 +171,7 @@ volume::Volume volumeOf(const Scale& scale, bool bends, const Fill& fill) {
 
 // Thin enough for every photon and ray to go on to its end.
 const dvec3 kGrey(0.1), kRgb(0.05, 0.1, 0.15);
+const dvec3 kCauchy(0.004); // [µm²]
 
 /// A small cube in a corner, which few rays meet: what is priced is looking out for it.
 dvec3 inCorner(const dvec3& p) {
@@ -188,6 +202,14 @@ void varyAbsorption(SceneVolume& scene) {
 /// Beside the glass, a lit object that no light passes.
 void opaqueOther(SceneVolume& scene) {
     scene.own("opacity", "other", 1).own("albedo", "other", 0.5f).shine();
+}
+
+void roughen(SceneVolume& scene) {
+    scene.boundary("", 0.2f);
+}
+
+void metalOther(SceneVolume& scene) {
+    scene.boundary("other", 0, volume::Metal{glm::vec3(0.5f), glm::vec3(3)});
 }
 
 double passMs(const Stats& stats, const std::string& name) {
@@ -313,6 +335,7 @@ std::vector<Case> viewCases(const Scale& scale) {
     cases.push_back(viewCase("environment map", {"refraction", "environment map"},
                              volumeOf(scale, true, {}), params, mapOfStripes()));
     add("opaque surface", {"opaque surface"}, addSurface);
+    add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
     cases.push_back(viewCase("opaque surface, light of points",
                              {"refraction", "opaque surface", "points"},
                              volumeOf(scale, true, addSurface), withPoints(params)));
@@ -341,6 +364,10 @@ std::vector<Case> sharpViewCases(const Scale& scale) {
     add("scattering, isotropic", {"scattering"}, addHaze);
     add("scattering, lobes", {"scattering", "lobes"}, addLobes);
     add("emission", {}, fill("emission", 3, kGrey));
+    add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
+    add("rough", {}, roughen);
+    cases.push_back(viewCase("a second object, metal", {"several objects"},
+                             glassBeside(scale, metalOther), params));
     cases.push_back(viewCase("environment map", {"environment map"}, glassOf(scale, {}), params,
                              mapOfStripes()));
     cases.push_back(
@@ -352,9 +379,9 @@ std::vector<Case> sharpViewCases(const Scale& scale) {
                              glassBeside(scale, opaqueOther), withPoints(params)));
     cases.push_back(viewCase("eight objects", {"several objects", "many objects"},
                              glassInCrowd(scale), params));
-    view::Params deeper = params;
-    deeper.maxDepth = 64;
-    cases.push_back(viewCase("--max-depth 64", {}, glassOf(scale, {}), deeper));
+    view::Params shallow = params;
+    shallow.maxDepth = 8;
+    cases.push_back(viewCase("--max-depth 8", {}, glassOf(scale, {}), shallow));
     view::Params withAovs = params;
     withAovs.aovs = view::allAovs();
     cases.push_back(viewCase("all AOVs", {"paths"}, glassOf(scale, {}), withAovs));
@@ -386,6 +413,7 @@ std::vector<Case> photonCases(const Scale& scale) {
     });
     cases.push_back(photonCase("direction", {"refraction", "direction"}, volumeOf(scale, true, {}),
                                withDirection(params)));
+    add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
     add("opaque surface", {"opaque surface"},
         [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); });
     cases.push_back(photonCase(
@@ -410,6 +438,8 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
     add("absorption, grey", {}, fill("absorption", 3, kGrey));
     add("absorption, RGB", {"colour"}, fill("absorption", 3, kRgb));
     add("absorption that varies", {"colour", "absorption that varies"}, varyAbsorption);
+    add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
+    add("rough", {}, roughen);
     cases.push_back(
         photonCase("direction", {"direction"}, glassOf(scale, {}), withDirection(params)));
     cases.push_back(

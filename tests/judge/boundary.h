@@ -42,8 +42,9 @@ template<typename Visit> void waysOn(const Piece& piece, const Visit& visit) {
 }
 
 /// Follows a ray's whole tree: onPiece(from, to, weight) for every straight piece between
-/// boundaries, onLeft(ray, weight, course) for every branch that leaves, onDropped(weight, faint)
-/// for what is given up and onWeight(weight) for every weight held against minThroughput.
+/// boundaries, onLeft(ray, weight, course) for every branch that leaves, onDeep(ray, weight,
+/// course) for one that would meet too many boundaries, onDropped(weight) for what is too faint to
+/// follow and onWeight(weight) for every weight held against minThroughput.
 template<typename Visitor>
 void followTree(const Glass& glass, const Ray& ray, int solid, double weight, int depth,
                 std::string& course, const Limits& limits, Visitor& visitor) {
@@ -54,14 +55,14 @@ void followTree(const Glass& glass, const Ray& ray, int solid, double weight, in
     }
     visitor.onPiece(ray.x, piece.met.x, weight);
     if (depth == limits.maxDepth) {
-        visitor.onDropped(weight, false);
+        visitor.onDeep({piece.met.x, ray.direction}, weight, course);
         return;
     }
     waysOn(piece, [&](const dvec3& direction, int into, double share, char letter) {
         const double left = weight * share;
         visitor.onWeight(left);
         if (left < limits.minThroughput) {
-            visitor.onDropped(left, true);
+            visitor.onDropped(left);
             return;
         }
         course.push_back(letter);

@@ -129,7 +129,11 @@ struct Collector {
     void onLeft(const Ray& ray, double weight, const std::string& course) {
         tree.left.push_back({ray, weight, course});
     }
-    void onDropped(double weight, bool faint) { (faint ? tree.tooFaint : tree.tooDeep) += weight; }
+    void onDeep(const Ray& ray, double weight, const std::string& course) {
+        tree.deep.push_back({ray, weight, course});
+        tree.tooDeep += weight;
+    }
+    void onDropped(double weight) { tree.tooFaint += weight; }
     void onWeight(double weight) {
         if (least > 0) tree.closestCall = std::min(tree.closestCall, std::abs(weight / least - 1));
     }
@@ -262,8 +266,10 @@ Tree followAll(const Glass& glass, const Ray& ray, const Limits& limits) {
 double radiance(const Glass& glass, const Ray& ray, const std::function<double(dvec3)>& environment,
                 const Limits& limits) {
     double sum = 0;
-    for (const Branch& branch : followAll(glass, ray, limits).left)
-        sum += branch.weight * environment(branch.ray.direction);
+    const Tree tree = followAll(glass, ray, limits);
+    for (const auto* branches : {&tree.left, &tree.deep})
+        for (const Branch& branch : *branches)
+            sum += branch.weight * environment(branch.ray.direction);
     const double ratio = indexAt(glass, solidAt(glass, ray), ray.x) / glass.around;
     return ratio * ratio * sum;
 }

@@ -89,6 +89,7 @@ struct Branch {
 
 struct Tree {
     std::vector<Branch> left;
+    std::vector<Branch> deep; ///< that would meet too many boundaries, as they come to the next one
     double tooDeep = 0, tooFaint = 0; ///< shares of the power that were dropped
     /// The nearest that a branch's weight came to minThroughput, as |weight/minThroughput − 1|:
     /// where that is a rounding, which side it falls on is chance.
@@ -99,7 +100,8 @@ struct Tree {
 Tree followAll(const Glass& glass, const Ray& ray, const Limits& limits = {});
 
 /// Radiance that arrives at a ray's start from where it points to, for the radiance of the
-/// surroundings by direction (from the eye outwards): (n at the eye / n around)² Σ weight · L.
+/// surroundings by direction (from the eye outwards): (n at the eye / n around)² Σ weight · L. What
+/// would meet too many boundaries sees what is straight ahead.
 double radiance(const Glass& glass, const Ray& ray, const std::function<double(dvec3)>& environment,
                 const Limits& limits = {});
 

@@ -92,7 +92,8 @@ public:
         if (mMetGlass) mBook.left += weight;
         lay(ray.x, ray.x + 4 * mReach * ray.direction, weight); // 4: from before the disc to behind
     }
-    void onDropped(double weight, bool) { mBook.dropped += weight; }
+    void onDeep(const Ray&, double weight, const std::string&) { mBook.dropped += weight; }
+    void onDropped(double weight) { mBook.dropped += weight; }
     void onWeight(double) {}
 
     const std::vector<double>& fluence() const { return mFluence; }

@@ -2,7 +2,7 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
              lightsim/lens_test.cpp lightsim/receiving_test.cpp lightsim/run_test.cpp
              lightsim/sharp_test.cpp lightsim/surfaces_test.cpp lightsim/points_test.cpp lightsim/lights_test.cpp lightsim/bounces_test.cpp
              lightsim/fronts_test.cpp lightsim/bounces_truth_test.cpp
-             lightsim/dispersion_test.cpp
+             lightsim/dispersion_test.cpp lightsim/rough_test.cpp
              LIBRARIES test_support LONG "LightSharp.AGradedBall*" "LightSharp.FortyLayers*"
                                           "LightRun.BatchesChange*" "LightRun.AutomaticPhotonsAreEnough" "LightReceivingLong.*"
                                           "LightSurfaces.BeamsDraw*" "LightSurfaces.ABall*"
@@ -24,3 +24,6 @@ eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/l
 
 eikonal_run(lightsim_fronts COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/fronts_test.sh
                                      ${CMAKE_BINARY_DIR})
+
+# shader_lib.h reads the shaders' library from there.
+target_include_directories(test_lightsim SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)

@@ -72,7 +72,7 @@ std::vector<Found> probe(const volume::DenseGrid& grid, const FieldOptions& opti
     const Field field(device(), scene.index.grid, {}, scene.index.least, scene.layout, options);
     const gpu::Program program(
         device(), "transport/probe.comp.glsl",
-        {{"FIELD", fieldSwitch(true, options.interpolation)}, {"PAGED", paged}});
+        {{"FIELD", fieldSwitch(true, options.interpolation)}, {"DISPERSION", 0}, {"PAGED", paged}});
     TransportParams transport{};
     transport.halfSize = vec4(0.5f * glm::vec3(grid.size), 0);
     const gpu::Buffer transportBlock(device(), sizeof transport, &transport);

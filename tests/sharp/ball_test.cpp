@@ -169,8 +169,9 @@ TEST(SharpBall, SurroundingsAreSeenByEveryOrder) {
                     kind.glass, ray, {.maxDepth = params.maxDepth, .minThroughput = params.cutoff});
                 if (tree.closestCall < 0.01) continue; // rounding decides which branches count
                 dvec3 wanted(0);
-                for (const judge::Branch& branch : tree.left)
-                    wanted += branch.weight * shine(branch.ray.direction);
+                for (const auto* branches : {&tree.left, &tree.deep})
+                    for (const judge::Branch& branch : *branches)
+                        wanted += branch.weight * shine(branch.ray.direction);
                 expectNear(look.colour(x, y), wanted, 1e-3); // the bar of one order, for all
                 ++compared;
             }
@@ -236,18 +237,23 @@ TEST(SharpBall, TheCutoffBoundsTheError) {
 }
 
 TEST(SharpBall, LimitsAreKeptToTheBoundary) {
-    // At depth 1 only what a single boundary leaves, the mirror's share; at 2 what goes through,
-    // too.
+    // At depth 1 all goes on but the mirror's share; at 2 what is reflected within. It is told as
+    // dropped, and sees what is straight ahead: a uniform background shows no glass at any depth.
     const Kind& kind = kinds()[0];
     for (const int depth : {1, 2, 3}) {
         Params params = along(kViews[0], kCentre, 1.9 * kRadius, {21, 21});
         params.background = dvec3(1);
         params.maxDepth = depth;
         const Look look(volumeOf(kind.glass), params);
-        const auto within = [](const judge::Ray& ray) {
-            return impactOf(ray, kCentre, kRadius) < 0.95;
-        };
-        EXPECT_LT(energyOff(look, params, kind.glass, within), 1e-4) << depth;
+        double deep = 0;
+        for (int y = 0; y < 21; ++y)
+            for (int x = 0; x < 21; ++x) {
+                deep += judge::followAll(kind.glass, rayOf(params, x, y),
+                                         {.maxDepth = depth, .minThroughput = params.cutoff})
+                            .tooDeep;
+                EXPECT_NEAR(look.at("R", x, y), 1, 1e-4);
+            }
+        EXPECT_NEAR(look.counter("light_dropped_by_depth"), deep / (21 * 21), 1e-4) << depth;
     }
 }
 

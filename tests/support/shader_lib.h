@@ -16,8 +16,11 @@ using glm::max;
 using glm::min;
 using std::abs;
 using std::asin;
+using std::cos;
 using std::exp;
 using std::floor;
+using std::pow;
+using std::sin;
 using std::sqrt;
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
@@ -40,11 +43,10 @@ namespace { // the library knows no `inline`
 #include "lib/attenuation.glsl"
 #include "lib/box.glsl"
 #include "lib/dip.glsl"
-#include "lib/fresnel.glsl"
 #include "lib/latlong.glsl"
+#include "lib/microfacet.glsl" // and what it includes: fresnel, random
 #include "lib/octree.glsl"
 #include "lib/phase.glsl"
-#include "lib/random.glsl"
 #include "lib/ray.glsl"
 #include "lib/spline.glsl"
 

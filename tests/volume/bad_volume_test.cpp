@@ -165,7 +165,7 @@ TEST_F(VolumeTest, AValueOutOfItsRangeIsNamedWithItsVoxel) {
                                  {"emission", kInfinity, "is infinite"},
                                  {"albedo", 1.01f, "expected 0 to 1"},
                                  {"reflectance", -1, ">= 0"},
-                                 {"fluence", -1, ">= 0"},
+                                 {"fluence", kInfinity, "is infinite"},
                                  {"light_direction", kNan, "is NaN"}};
     for (const Case& c : coefficients)
         for (int component = 0; component < 3; ++component) {

@@ -73,6 +73,40 @@ TEST_F(VolumeTest, ObjectsComeBackThoseThatWinFirst) {
     EXPECT_TRUE(namesOf(Volume::open(vdb("b.vdb", {floats("ior")}))).empty());
 }
 
+TEST_F(VolumeTest, ABoundaryComesBackAsItWas) {
+    Volume volume(halfUnits());
+    ObjectFacts ring{"ring", "sdf.ring", 0, 0, 0.25f, Metal{{0.2f, 0.4f, 1.3f}, {3, 2, 1}}};
+    volume.putLevelSet(ring, kBox, ball(), 4);
+    volume.putLevelSet({"glass", "sdf.glass", 0, 1}, kBox, ball(), 4);
+    const Volume back = Volume::open(write(volume, "a.vdb"));
+    const std::vector<ObjectFacts> objects = back.objects();
+    EXPECT_EQ(objects[0].roughness, 0);
+    EXPECT_FALSE(objects[0].metal);
+    EXPECT_EQ(objects[1].roughness, 0.25f);
+    ASSERT_TRUE(objects[1].metal);
+    EXPECT_EQ(objects[1].metal->index, glm::vec3(0.2f, 0.4f, 1.3f));
+    EXPECT_EQ(objects[1].metal->extinction, glm::vec3(3, 2, 1));
+    // What it is no more does not stay.
+    ring.metal.reset();
+    ring.roughness = 0;
+    volume.putLevelSet(ring, kBox, ball(), 4);
+    EXPECT_FALSE(volume.objects()[1].metal);
+    EXPECT_EQ(volume.objects()[1].roughness, 0);
+}
+
+TEST_F(VolumeTest, ABoundaryThatCantBeIsRefused) {
+    const auto refused = [&](const char* key, const VdbMeta& value, const char* word) {
+        auto grid = floats("sdf.a");
+        grid.setMeta(key, value);
+        expectError(ExitStatus::data, {"'sdf.a'", key, word},
+                    [&] { Volume::open(vdb("a.vdb", {grid})).objects(); });
+    };
+    refused("eikonal:roughness", 1.5f, "expected 0 to 1");
+    refused("eikonal:roughness", std::nanf(""), "expected 0 to 1");
+    refused("eikonal:roughness", std::string("smooth"), "expected a float");
+    refused("eikonal:metal_index", 1.5f, "expected a vec3s");
+}
+
 TEST_F(VolumeTest, ALevelSetWithoutMetadataIsAnObjectByItsName) {
     const Volume plain = Volume::open(vdb("plain.vdb", {floats("sdf"), floats("ior")}));
     EXPECT_EQ(namesOf(plain), std::vector<std::string>{""});

@@ -340,6 +340,33 @@ test_some_have_a_material() {
     says "--medium-abbe"
 }
 
+test_metal_and_roughness() {
+    local size="--resolution 21 --padding 3"
+    makes metal.vdb box.obj far.obj $size --metal Gold --metal none --ior none --ior 1.5 \
+        --roughness 0.1 --roughness 0.25
+    vdb_print -m metal.vdb >printed
+    grep -q "eikonal:metal_index: \[0.222, 0.428, 1.335\]" printed || fail "no metal's n"
+    grep -q "eikonal:metal_extinction: \[3.208, 2.461, 1.872\]" printed || fail "no metal's k"
+    [ "$(grep -c 'eikonal:metal_index' printed)" = 1 ] || fail "glass is metal, too"
+    grep -q "eikonal:roughness: 0.1" printed || fail "no roughness of the first"
+    grep -q "eikonal:roughness: 0.25" printed || fail "no roughness of the second"
+    has_values metal.vdb "1" opacity.box
+    # It outlives the stages that follow.
+    expect 0 volsmooth metal.vdb -o smooth.vdb
+    vdb_print -m smooth.vdb | grep -q "eikonal:metal_index" || fail "volsmooth drops the metal"
+    refuses 64 box.obj -o out.vdb --metal cheese
+    says "--metal: found 'cheese', expected one of aluminium, .*, or none"
+    refuses 64 box.obj -o out.vdb --metal silvr
+    says "did you mean silver"
+    for bad in -0.1 1.5 rough; do
+        refuses 64 box.obj -o out.vdb --ior 1.5 --roughness $bad
+        says "--roughness"
+    done
+    refuses 64 box.obj -o out.vdb --ior 1.5 --roughness 0.2 --boundary blurred
+    says "--roughness: given with --boundary blurred"
+    rm -f smooth.vdb
+}
+
 test_abbe_numbers() {
     # (1.5 - 1) / 50 / (1 / 0.48613^2 - 1 / 0.65627^2)
     makes abbe.vdb box.obj $small --abbe 50 --medium-ior 1.25 --medium-abbe 25

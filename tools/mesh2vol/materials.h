@@ -20,15 +20,24 @@ inline bool isNone(std::string value) {
     return value == kNone;
 }
 
-/// Null for none. Throws UsageError of an unknown name.
-inline const optics::NamedMaterial* materialOf(const std::string& option, const std::string& name) {
+/// What `find` finds; null for none. Throws UsageError of a name that is not among those known.
+template<typename Find>
+auto foundByName(const std::string& option, const std::string& name, const Find& find,
+                 const std::vector<std::string>& known) -> decltype(find(name)) {
     if (isNone(name)) return nullptr;
-    if (const optics::NamedMaterial* found = optics::findMaterial(name)) return found;
-    const std::vector<std::string> names = optics::materialNames();
-    const std::string meant = tool::likest(name, names);
+    if (const auto found = find(name)) return found;
+    const std::string meant = tool::likest(name, known);
     throw UsageError(option + ": found '" + name + "'" +
                      (meant.empty() ? "" : " (did you mean " + meant + "?)") +
-                     ", expected one of " + join(names, ", ") + ", or " + kNone);
+                     ", expected one of " + join(known, ", ") + ", or " + kNone);
+}
+
+inline const optics::NamedMaterial* materialOf(const std::string& option, const std::string& name) {
+    return foundByName(option, name, optics::findMaterial, optics::materialNames());
+}
+
+inline const optics::NamedMetal* metalOf(const std::string& option, const std::string& name) {
+    return foundByName(option, name, optics::findMetal, optics::metalNames());
 }
 
 /// [1/unit], of a unit of so many metres. Without one it is not known, and 0.

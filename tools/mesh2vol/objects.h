@@ -34,6 +34,7 @@ public:
     const optics::NamedMaterial* material() const {
         return materialOf("--material", text("--material", kNone));
     }
+    const optics::NamedMetal* metal() const { return metalOf("--metal", text("--metal", kNone)); }
     void number(const std::string& option, double& value) const {
         const std::string found = text(option, toText(value));
         const auto number = parseNumber(found);
@@ -67,8 +68,8 @@ inline int priorityOf(const ObjectValues& values) {
 /// Throws UsageError of an object whose index is not known, or its dispersion known twice.
 inline void checkTogether(const ObjectValues& values) {
     const std::string object = " for object " + std::to_string(values.place().object + 1);
-    if (!values.has("--ior") && !values.has("--material"))
-        throw UsageError("--ior: none" + object + ", expected one, or a --material");
+    if (!values.has("--ior") && !values.has("--material") && !values.has("--metal"))
+        throw UsageError("--ior: none" + object + ", expected one, or a --material or --metal");
     if (values.has("--abbe") && values.has("--dispersion"))
         throw UsageError("--abbe: given with --dispersion" + object + ", expected one of the two");
 }
@@ -95,6 +96,11 @@ inline voxelize::Object objectOf(const ObjectValues& values) {
     values.number("--opacity", m.opacity);
     values.rgb("--albedo", m.albedo);
     values.rgb("--reflectance", m.reflectance);
+    values.number("--roughness", m.roughness);
+    if (const optics::NamedMetal* metal = values.metal()) {
+        m.metal = volume::Metal{metal->index, metal->extinction};
+        m.opacity = 1;
+    }
     object.priority = priorityOf(values);
     object.fillBelow = values.yes("--fill-below");
     return object;
@@ -143,6 +149,11 @@ inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& so
         params.objects.push_back(objectOf({o, place}));
         params.objects.back().name = nameOf(o, sources[k], place);
     }
+    for (const voxelize::Object& object : params.objects)
+        if (!params.sharp && (object.material.metal || object.material.roughness > 0))
+            throw UsageError(std::string(object.material.metal ? "--metal" : "--roughness") +
+                             ": given with --boundary blurred, which knows no surfaces; expected "
+                             "sharp ones");
     params.check();
     return params;
 }

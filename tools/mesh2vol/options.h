@@ -64,6 +64,10 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
     addPerMesh(app, o, "--albedo", "R,G,B", "of what is opaque, or one number (default 0)");
     addPerMesh(app, o, "--reflectance", "R,G,B",
                "tint of the mirror reflection, or one number (default 1)");
+    addPerMesh(app, o, "--roughness", "A",
+               "of the boundary: GGX's alpha, 0 (smooth, the default) to 1");
+    addPerMesh(app, o, "--metal", "NAME",
+               "an opaque mirror: " + join(optics::metalNames(), ", ") + "; it needs no --ior");
     addPerMesh(app, o, "--priority", "INT",
                "the higher wins where objects overlap, among equals the later (default 0)");
     addPerMesh(app, o, "--fill-below", "yes|no",
