@@ -169,6 +169,6 @@ int main(int argc, char** argv) {
                                       "scene volume.");
     mesh2vol::Options options;
     mesh2vol::addOptions(session.app(), options);
-    session.requireOneOf({"--ior", "--material"});
+    session.requireOneOf({"--ior", "--material", "--metal"});
     return session.run(argc, argv, [&](tool::Session&) { voxelizeMeshes(session, options); });
 }
