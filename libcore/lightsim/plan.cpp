@@ -137,6 +137,7 @@ void listEffects(Plan& plan, const Params& params) {
          : plan.attenuates    ? "the medium is grey"
                               : "nothing absorbs or scatters"});
     add(named("opaque"));
+    add(nothing(named("coat")));
     add(nothing(named("metal")));
     add(nothing(named("roughness")));
     add(nothing(named("dispersion")));

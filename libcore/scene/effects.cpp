@@ -87,6 +87,11 @@ std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing
     effects.push_back(coefficient(scene, "anisotropy", &Region::anisotropy));
     effects.push_back(coefficient(scene, "emission", &Region::emission));
     effects.push_back(opaque(scene));
+    const Region* coated = scene.firstCoated();
+    effects.push_back({"coat", coated != nullptr,
+                       !scene.sharp ? "boundaries are blurred"
+                       : coated     ? "'" + coated->name + "' is opaque, with an index of its own"
+                                    : "nothing opaque has an index above what surrounds it"});
     effects.push_back(mirrors(
         scene, "metal", firstRegion(scene, [](const Region& r) { return r.metal.has_value(); })));
     effects.push_back(mirrors(scene, "roughness",

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <glm/matrix.hpp>
+#include <limits>
 
 namespace eikonal::scene {
 
@@ -189,6 +190,16 @@ bool Scene::anyMatt() const {
     return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
         return sharp ? region.opaque && !region.metal : region.opacity.most(0) > 0.5f;
     });
+}
+
+const Region* Scene::firstCoated() const {
+    float least = std::numeric_limits<float>::infinity();
+    for (const Region& region : regions)
+        if (!region.opaque)
+            least = std::min(least, region.index.varies() ? index.least : region.index.value.x);
+    for (const Region& region : regions)
+        if (sharp && region.opaque && !region.metal && region.index.value.x > least) return &region;
+    return nullptr;
 }
 
 bool Scene::showsLight() const {

@@ -73,6 +73,9 @@ struct Scene {
     bool anyMatt() const;
     bool anyMetal() const; ///< with sharp boundaries
     bool anyRough() const; ///< the same
+    /// A matt object whose index is above that of something transparent: it has a coat there. Null
+    /// if there is none.
+    const Region* firstCoated() const;
     /// Whether light is seen anywhere: where it is scattered, or falls on what is opaque.
     bool showsLight() const;
     /// How many regions have coefficients that vary, of sharp boundaries.

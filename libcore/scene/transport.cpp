@@ -31,7 +31,8 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"VARIES", scene.sharp && scene.varyingRegions() > 0},
             {"OPAQUE", scene.anyOpaque()},
             {"METALS", scene.anyMetal()},
-            {"ROUGH", scene.anyRough()}};
+            {"ROUGH", scene.anyRough()},
+            {"COATS", scene.firstCoated() != nullptr}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

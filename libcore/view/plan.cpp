@@ -35,6 +35,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
                                           : anisotropy.why});
     add(named("emission"));
     add(named("opaque"));
+    add(named("coat"));
     add(named("metal"));
     add(named("roughness"));
     const bool stored = !scene.light.surfaces.empty(), points = !params.points.empty();

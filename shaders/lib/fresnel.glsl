@@ -46,3 +46,29 @@ vec3 conductorReflectance(float cosine, vec3 n, vec3 k) {
     vec3 w = u * sin2;
     return 0.5 * s * (1.0 + (v - w) / (v + w));
 }
+
+// The share of even light on an interface to an index m times as high that it reflects (Walsh 1926; Duntley
+// 1942, eq. 6). m above 1.
+float evenReflectance(float m) {
+    float m2 = m * m;
+    float m4 = m2 * m2;
+    float less = m - 1.0;
+    float more = m + 1.0;
+    float both = m2 + 1.0;
+    return 0.5 + less * (3.0 * m + 1.0) / (6.0 * more * more) +
+           m2 * (m2 - 1.0) * (m2 - 1.0) / (both * both * both) * log(less / more) -
+           2.0 * m2 * m * (m2 + 2.0 * m - 1.0) / (both * (m4 - 1.0)) +
+           8.0 * m4 * (m4 + 1.0) / (both * (m4 - 1.0) * (m4 - 1.0)) * log(m);
+}
+
+// Of the light that has come through a coat onto a matt base, the share that the base sends up all in all: what
+// does not get out comes down again. `m` is the coat's index over that of what is before it.
+vec3 albedoUnderCoat(vec3 albedo, float m) {
+    float within = 1.0 - (1.0 - evenReflectance(m)) / (m * m); // share of even light that stays in
+    return albedo / (1.0 - within * albedo);
+}
+
+// The share of that light which gets out of the coat.
+vec3 albedoOfCoated(vec3 albedo, float m) {
+    return albedoUnderCoat(albedo, m) * (1.0 - evenReflectance(m)) / (m * m);
+}

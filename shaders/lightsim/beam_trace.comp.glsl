@@ -194,7 +194,8 @@ Path pathFromParent(uint id, inout Load load) {
     bool goes = parent.event.x == uint(kMeets) && (ways[id] >> (params.kind.x >> load.taken & 1u) & 1u) == 1u;
     if (goes && kObjects > 0) {
         Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
-        onInterface(path, load, interfaceAt(path.ray, path.objects, hit));
+        Interface at = interfaceAt(path.ray, path.objects, hit);
+        scatterAndLand(path, load, at, isCoated(at));
     } else {
         path.status = kNone;
     }

@@ -106,6 +106,7 @@ void onSurface(inout Path path, inout Load load, Interface at) {
 #if BOUNCES == 1
     load.outward = -at.normal;
     load.albedo = scene.regions[at.there].albedo.xyz;
+    if (isCoated(at)) load.albedo = albedoOfCoated(load.albedo, at.beyond / at.n);
 #endif
 }
 

@@ -59,6 +59,11 @@ Interface interfaceAt(Ray ray, ObjectSet objects, Hit hit) {
                      indexOf(there, ray.x), after, vec2(0.5), 0u);
 }
 
+// Whether a matt object has a coat there.
+bool isCoated(Interface at) {
+    return kCoats && isMatt(at.there) && at.beyond > at.n;
+}
+
 // Whether light goes on as if there were nothing.
 bool isNothing(Interface at) {
     return at.here == at.there || (at.n == at.beyond && !isMetal(at.there));

@@ -12,13 +12,14 @@
 #include "transport/index_field.glsl"
 #include "transport/level_set.glsl"
 
-#if !defined(VARIES) || !defined(OPAQUE) || !defined(METALS) || !defined(ROUGH)
-#error VARIES, OPAQUE, METALS and ROUGH must be 0 or 1
+#if !defined(VARIES) || !defined(OPAQUE) || !defined(METALS) || !defined(ROUGH) || !defined(COATS)
+#error VARIES, OPAQUE, METALS, ROUGH and COATS must be 0 or 1
 #endif
 const bool kVaries = VARIES == 1; // some object's coefficients vary within it
 const bool kOpaqueObjects = OPAQUE == 1 && kObjects > 0; // some object is opaque
 const bool kMetals = METALS == 1; // some object is metal
 const bool kRoughBoundaries = ROUGH == 1;   // some object's boundary is rough
+const bool kCoats = COATS == 1;   // some matt object's index is above that of what surrounds it
 const bool kOpaqueVoxels = OPAQUE == 1 && kObjects == 0; // blurred: opaque material ends paths
 // A page of voxels along z for each region that varies.
 layout(binding = kAbsorptionsUnit) uniform sampler3D absorptions; // [1/voxel], g

@@ -289,17 +289,31 @@ Hit propagateBent(inout Path path, inout Load load, int region) {
     return hit;
 }
 
-// Over an interface.
+// Through or back at an interface. What goes through a coat is on its base, still among the objects before it.
+void scatterAndLand(inout Path path, inout Load load, Interface at, bool coated) {
+    ObjectSet before = path.objects;
+    vec3 arrives = path.ray.w;
+    onInterface(path, load, at);
+    if (kCoats && coated && path.status == kAlive && regionOf(path.objects) == at.there) {
+        path.objects = before;
+        path.ray.w = arrives;
+        path.status = kStopped;
+        onSurface(path, load, at);
+    }
+}
+
+// Over an interface. A coat is an interface like others, but that what goes through it ends at once on its base.
 void cross(inout Path path, inout Load load, Hit hit) {
     Interface at = interfaceAt(path.ray, path.objects, hit);
-    if (kOpaqueObjects && at.here != at.there && isMatt(at.there)) {
+    bool ends = kOpaqueObjects && at.here != at.there && isMatt(at.there);
+    if (ends && !isCoated(at)) {
         path.status = kStopped;
         onSurface(path, load, at);
     } else if (isNothing(at)) {
         path.objects = at.objects;
         path.departs = 0.0;
     } else {
-        onInterface(path, load, at);
+        scatterAndLand(path, load, at, ends);
     }
     path.lost = Ray(vec3(0.0), vec3(0.0));
 }

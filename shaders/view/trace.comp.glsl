@@ -122,7 +122,13 @@ void land(Path path, inout Load load, vec3 x, vec3 normal, vec3 albedo, float n)
 
 void onSurface(inout Path path, inout Load load, Interface at) {
     ++load.interfaces;
-    land(path, load, at.x, -at.normal, scene.regions[at.there].albedo.xyz, length(path.ray.w));
+    vec3 albedo = scene.regions[at.there].albedo.xyz;
+    float n = length(path.ray.w);
+    if (isCoated(at)) {
+        albedo = albedoUnderCoat(albedo, at.beyond / at.n);
+        n = at.beyond;
+    }
+    land(path, load, at.x, -at.normal, albedo, n);
 }
 
 float brightest(vec3 share) {

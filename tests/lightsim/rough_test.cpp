@@ -147,6 +147,80 @@ TEST(LightRough, ARoughBallInAnEvenSkyIsFullOfLight) {
     EXPECT_LT(mean(0), 0.9);
 }
 
+TEST(LightCoat, TakesInWhatItDoesNotMirrorOntoAWall) {
+    // Light at 60° onto a coated floor: the floor gets what the coat lets in, a wall what it
+    // mirrors.
+    const double cosine = 0.5, sine = std::sqrt(0.75);
+    const double R =
+        shader_lib::dielectricAt(dvec3(sine, -cosine, 0), dvec3(0, 1, 0), 1, 1.5).reflectance;
+    TestVolume scene(ivec3(40, 24, 16));
+    const auto put = [&](const std::string& name, const TestVolume::Scalar& distance,
+                         double index) {
+        scene.add("sdf." + name, distance, 1e3);
+        scene.constant("ior." + name, index);
+        scene.constant("opacity." + name, 1);
+        scene.addVector("albedo." + name, [](dvec3) { return dvec3(0.5); });
+    };
+    put(
+        "floor", [](dvec3 p) { return p.y - 3.3; }, 1.5);
+    put(
+        "wall", [](dvec3 p) { return 36.2 - p.x; }, 1);
+    const volume::Volume volume = scene.take();
+    for (const Method method : {Method::automatic, Method::photons}) {
+        Params params = ontoSurfaces(method, 1 << 18);
+        params.lights[0].vector = {sine, -cosine, 0};
+        const Lit lit(volume, params);
+        const volume::FineGrid& grid = lit.result.irradiance;
+        double floor = 0, wall = 0;
+        int floors = 0, walls = 0;
+        for (size_t i = 0; i < grid.voxels.size(); ++i) {
+            const ivec3 p = grid.voxels[i];
+            if (p.z < 4 || p.z > 11) continue;
+            if (p.y == 3 && p.x > 4 && p.x < 30) {
+                floor += double{grid.values[i].x};
+                ++floors;
+            } else if (p.x == 36 && p.y > 6 && p.y < 11) {
+                wall += double{grid.values[i].x};
+                ++walls;
+            }
+        }
+        ASSERT_GT(floors, 100);
+        ASSERT_GT(walls, 20);
+        EXPECT_NEAR(floor / floors, (1 - R) * cosine, 0.01 * cosine);
+        // The sun itself, and its mirror image, both at 30° to the wall's normal.
+        EXPECT_NEAR(wall / walls, (1 + R) * sine, 0.01);
+    }
+}
+
+TEST(LightCoat, ItsBasesLightGoesOn) {
+    // In a closed white box of coated walls light goes round as in a bare one: what it sends out
+    // after one bounce is its albedo under the coat of what came in.
+    const auto left = [](double index) {
+        TestVolume scene(ivec3(20));
+        scene.add(
+            "sdf",
+            [](dvec3 p) {
+                const dvec3 q = glm::abs(p - 10.0);
+                return 8 - std::max({q.x, q.y, q.z});
+            },
+            1e3);
+        scene.constant("ior", index);
+        scene.constant("opacity", 1);
+        scene.constantVector("albedo", dvec3(0.5));
+        scene.constantVector("scattering", dvec3(0));
+        Params params = paramsOf({{Light::Kind::point, dvec3(10), dvec3(1)}}, 1 << 14);
+        params.outputs = Output::irradiance;
+        params.bounces = 1;
+        params.surfaceDetail = 1;
+        return Lit(scene.take(), params).counter("light_left_after_bounces");
+    };
+    // A point's light comes in at many angles, most of it steeply: 0.95 of it gets through, and of
+    // what the coat mirrors, most at the next wall.
+    const double coated = shader_lib::albedoOfCoated(dvec3(0.5), 1.5).x;
+    EXPECT_NEAR(left(1), 0.25, 0.005);
+    EXPECT_NEAR(left(1.5), coated * coated, 0.02);
+}
+
 TEST(LightRough, BeamsAndFrontsAreRefused) {
     for (const Method method : {Method::beams, Method::wavefront}) {
         Params params = ontoSurfaces(method, 1 << 12);

@@ -207,3 +207,25 @@ TEST(Metal, GoldIsYellowAndSilverNearlyWhite) {
     }
     EXPECT_EQ(findMetal("cheese"), nullptr);
 }
+
+TEST(Coat, EvenLightIsReflectedAsTheIntegralSays) {
+    for (const double m : {1.05, 1.33, 1.5, 2.4}) {
+        double sum = 0;
+        const int count = 20000;
+        for (int i = 0; i < count; ++i) { // by the cosine
+            const double sine = std::sqrt((i + 0.5) / count);
+            const vec3 w(sine, 0, -std::sqrt(1 - sine * sine));
+            sum += dielectricAt(w, vec3(0, 0, 1), 1, m).reflectance / count;
+        }
+        EXPECT_NEAR(evenReflectance(m), sum, 2e-4) << m; // the last ring grazes
+    }
+}
+
+TEST(Coat, AWhiteBaseSendsAllOfItOut) {
+    for (const double m : {1.2, 1.5, 2.0}) {
+        EXPECT_NEAR(albedoOfCoated(vec3(1), m).x, 1, 1e-12);
+        EXPECT_EQ(albedoOfCoated(vec3(0), m).x, 0);
+        // A grey one less than it would bare: what comes down again is absorbed more often.
+        EXPECT_LT(albedoOfCoated(vec3(0.5), m).x, 0.5);
+    }
+}

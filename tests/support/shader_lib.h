@@ -19,6 +19,7 @@ using std::asin;
 using std::cos;
 using std::exp;
 using std::floor;
+using std::log;
 using std::pow;
 using std::sin;
 using std::sqrt;

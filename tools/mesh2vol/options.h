@@ -51,7 +51,10 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
     addPerMesh(app, o, "--material", "NAME",
                "index, dispersion and, by --unit, absorption, where they are not given: " +
                    join(optics::materialNames(), ", "));
-    addPerMesh(app, o, "--ior", "N", "refractive index at 587.6 nm");
+    addPerMesh(
+        app, o, "--ior", "N",
+        "refractive index at 587.6 nm; of what is opaque that of its coat, if it is above that "
+        "of what surrounds it");
     addPerMesh(app, o, "--dispersion", "B", "Cauchy B [µm²] (default 0)");
     addPerMesh(app, o, "--abbe", "V",
                "instead of --dispersion: the Abbe number (n_d - 1) / (n_F - n_C), 1 to 1000; 0: "
