@@ -4,11 +4,13 @@
 
 #include "scene/voxel_textures.h"
 #include "view/background.h"
+#include "view/ground.h"
 #include "view/picture.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -48,6 +50,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("MAP", plan.map);
     list.emplace_back("AOVS", wantsPaths(plan, params));
     list.emplace_back("POINTS", !params.points.empty());
+    list.emplace_back("GROUND", plan.ground.has_value());
     const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
     list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
     list.emplace_back("WAITING", sharp ? static_cast<int>(std::bit_ceil(depth)) : 1);
@@ -180,6 +183,10 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mMedia = Media(device, plan);
     mMap = makeMap(device, map);
     if (!params.points.empty()) uploadPoints(device, plan, params.points);
+    if (plan.ground) {
+        const GroundParams ground = groundParams(*plan.ground, plan.scene);
+        mGround = gpu::Buffer(device, sizeof ground, &ground);
+    }
     profiler.end();
     const scene::Scene& scene = plan.scene;
     const Camera& camera = params.camera;
@@ -214,9 +221,12 @@ void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights
     const glm::ivec3 size(points.width, points.rows, 0);
     const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
     std::vector<vec4> places(points.places.size()), lights(places.size());
+    const dvec3 high(plan.scene.size());
     for (size_t i = 0; i < places.size(); ++i) {
-        places[i] =
-            vec4(glm::vec3(voxelFromWorld * glm::dvec4(points.places[i], 1.0)), points.isPoint[i]);
+        const dvec3 place(voxelFromWorld * glm::dvec4(points.places[i], 1.0));
+        // Beyond the domain no light was stored: a ground has what its lights send.
+        const bool within = place == glm::clamp(place, dvec3(-1), high);
+        places[i] = vec4(glm::vec3(place), points.isPoint[i] && within);
         lights[i] = vec4(points.lights[i], 0);
     }
     mPointPlaces = Texture(device, size, TexelFormat::rgba32f, gpu::Filter::nearest);
@@ -233,6 +243,7 @@ void Rays::bind() const {
         mPointPlaces.bindSampler(kPointPlacesUnit);
         mPointLights.bindSampler(kPointLightsUnit);
     }
+    if (mGround.bytes() > 0) mGround.bindUniform(kGroundBlock);
     mBlock.bindUniform(kParamsBlock);
 }
 

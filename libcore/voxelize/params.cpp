@@ -116,16 +116,20 @@ void refuseCount(const std::string& option, size_t given, const Place& place) {
 
 void Params::checkGround() const {
     if (!ground) {
-        require(!groundMargin, "--ground-margin", "no --ground", "both, or neither");
+        if (groundMargin)
+            throw UsageError("--ground-margin: given without --ground, expected both");
         return;
     }
     const std::string fault = volume::faultOf(*ground);
     require(fault.empty(), "--ground", fault, "Y[:R,G,B[:checker SIZE]]");
-    require(sharp, "--ground", "--boundary blurred", "sharp boundaries with a ground");
+    if (!sharp)
+        throw UsageError("--ground: given with --boundary blurred, expected sharp boundaries");
     if (!groundMargin) return;
     require(*groundMargin >= 0 && *groundMargin <= volume::kFarthestGround, "--ground-margin",
             toText(*groundMargin), "0 to 1e12 units");
-    require(!bounds, "--ground-margin", "--bounds", "one of the two");
+    if (bounds)
+        throw UsageError("--ground-margin: given with --bounds, which is the domain; expected one "
+                         "of the two");
 }
 
 void Params::check() const {
