@@ -221,12 +221,15 @@ void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights
     const glm::ivec3 size(points.width, points.rows, 0);
     const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
     std::vector<vec4> places(points.places.size()), lights(places.size());
-    const dvec3 high(plan.scene.size());
+    // Beyond the domain no light was stored, and beside its sides not the ground's alone: see
+    // isAtSide() of shaders/view/ground.glsl.
+    const auto isKnown = [&](const dvec3& place) {
+        return !plan.ground ||
+               place == glm::clamp(place, dvec3(0.5), dvec3(plan.scene.size()) - 1.5);
+    };
     for (size_t i = 0; i < places.size(); ++i) {
         const dvec3 place(voxelFromWorld * glm::dvec4(points.places[i], 1.0));
-        // Beyond the domain no light was stored: a ground has what its lights send.
-        const bool within = place == glm::clamp(place, dvec3(-1), high);
-        places[i] = vec4(glm::vec3(place), points.isPoint[i] && within);
+        places[i] = vec4(glm::vec3(place), points.isPoint[i] && isKnown(place));
         lights[i] = vec4(points.lights[i], 0);
     }
     mPointPlaces = Texture(device, size, TexelFormat::rgba32f, gpu::Filter::nearest);

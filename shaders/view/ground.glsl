@@ -54,6 +54,15 @@ float polygonAt(int i, vec3 x) {
     return abs(sum);
 }
 
+// Whether what is stored at a place within the domain is not the ground's alone: in the outermost surface voxels
+// there is what falls on the side of the domain that cuts the ground open, and in those that points had, which
+// are no larger than a voxel.
+bool isAtSide(vec3 x) {
+    if (SURFACES == 0 && POINTS == 0) return false;
+    float margin = POINTS == 1 ? 1.0 : 1.5 / float(surface.size.w);
+    return any(greaterThan(abs(fromCentre(x)), transport.halfSize.xyz - margin));
+}
+
 // At a point of the plane [W/m²].
 vec3 groundIrradianceAt(vec3 x) {
     vec3 sum = ground.constant.xyz;

@@ -42,8 +42,8 @@ ivec2 pixelNow; // in the picture
 #include "view/environment.glsl"
 #include "view/camera_ray.glsl"
 #include "view/counters.glsl"
-#include "view/ground.glsl"
 #include "view/surface.glsl"
+#include "view/ground.glsl"
 
 // What a pixel's ray has met on all its branches so far.
 struct Load {
@@ -115,22 +115,27 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
     }
 }
 
-// A path that ends on an opaque surface, seen through index n.
-void land(Path path, inout Load load, vec3 x, vec3 normal, vec3 albedo, float n) {
-    vec3 light = irradianceOn(x, normal, load.first);
+// A path that ends on an opaque surface of that irradiance, seen through index n.
+void land(Path path, inout Load load, vec3 light, vec3 normal, vec3 albedo, float n) {
     load.light += path.throughput * albedo * light * (0.3183098861837907 / (n * n));
     // Where nothing tells, as if it were across the ray.
     if (kAovs && load.first) load.outward = normal == vec3(0.0) ? -normalize(path.ray.w) : normal;
 }
 
-vec3 albedoOf(int region, vec3 x) {
-    if (kGround && region == ground.numbers.y) return groundAlbedoAt(x);
-    return scene.regions[region].albedo.xyz;
+// The same on an object.
+void landOn(int region, Path path, inout Load load, vec3 x, vec3 normal, float n) {
+    bool isGround = kGround && region == ground.numbers.y;
+    vec3 albedo = scene.regions[region].albedo.xyz;
+    if (isGround) albedo = groundAlbedoAt(x);
+    vec3 light = vec3(0.0);
+    if (isGround && isAtSide(x)) light = groundIrradianceAt(x);
+    else light = irradianceOn(x, normal, load.first);
+    land(path, load, light, normal, albedo, n);
 }
 
 void onSurface(inout Path path, inout Load load, Interface at) {
     ++load.interfaces;
-    land(path, load, at.x, -at.normal, albedoOf(at.there, at.x), length(path.ray.w));
+    landOn(at.there, path, load, at.x, -at.normal, length(path.ray.w));
 }
 
 float brightest(vec3 share) {
@@ -198,7 +203,7 @@ void reachVoxels(inout Path path, inout Load load) {
     if (kMeasures) path.lengths += dvec2(extent * n, extent);
     path.ray.x = inside;
     vec3 normal = opaqueNormalAt(inside);
-    land(path, load, inside, normal, opaqueAlbedoAt(inside, normal), n);
+    land(path, load, irradianceOn(inside, normal, load.first), normal, opaqueAlbedoAt(inside, normal), n);
 }
 
 // What is straight ahead of a path beyond the domain. On the ground it ends, as on any opaque surface.
@@ -287,7 +292,7 @@ void main() {
         path.ray.w *= entry;
         if (isOpaque(region)) { // cut open by the domain's face
             path.status = kStopped;
-            land(path, load, camera.start, faceNormal(camera.start), albedoOf(region, camera.start), n);
+            landOn(region, path, load, camera.start, faceNormal(camera.start), n);
         }
         count(kRays, 1u);
     } else {

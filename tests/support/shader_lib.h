@@ -44,6 +44,7 @@ namespace { // the library knows no `inline`
 #include "lib/latlong.glsl"
 #include "lib/octree.glsl"
 #include "lib/phase.glsl"
+#include "lib/plane_light.glsl"
 #include "lib/random.glsl"
 #include "lib/ray.glsl"
 #include "lib/spline.glsl"
