@@ -153,4 +153,14 @@ std::vector<Source> environmentSources(const Light& light, int count, Keep keep)
     return sources;
 }
 
+dvec3 upwardIrradiance(const Light& environment) {
+    const PowerMap map(*environment.map);
+    const dvec3 up = environment.mapFromWorld * dvec3(0, 1, 0);
+    dvec3 sum(0);
+    for (int y = 0; y < map.size().y; ++y)
+        for (int x = 0; x < map.size().x; ++x)
+            sum += map.powerOf({x, y}) * std::max(glm::dot(map.directionOf({x, y}), up), 0.0);
+    return environment.rgb * sum;
+}
+
 } // namespace eikonal::lightsim

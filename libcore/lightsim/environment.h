@@ -13,4 +13,7 @@ namespace eikonal::lightsim {
 /// it. Parts without light have none. In the world.
 std::vector<Source> environmentSources(const Light& light, int count, Keep keep);
 
+/// What falls on a plane that faces up (+Y) and sees all of the upper half [W/m²].
+glm::dvec3 upwardIrradiance(const Light& environment);
+
 } // namespace eikonal::lightsim

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "lightsim/lights.h"
 #include "optics/tracing.h"
+#include "scene/lights.h"
 
 #include <array>
 #include <cstdint>
@@ -13,6 +13,10 @@
 #include <vector>
 
 namespace eikonal::lightsim {
+
+using scene::Light;
+using scene::parseLight;
+using scene::powerOf;
 
 /// A number of photons as written by people (1e6). Throws UsageError if it is not whole, below 1 or
 /// above 2^40.

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "lightsim/lights.h"
+#include "scene/lights.h"
 
 #include <glm/mat4x4.hpp>
 #include <vector>
 
 namespace eikonal::lightsim {
+
+using scene::Light;
 
 /// Where rays start, in voxel space.
 struct Source {

@@ -35,7 +35,7 @@ struct Index {
 };
 
 /// What lightsim stored.
-struct Light {
+struct StoredLight {
     Values fluence;   ///< [W/m²], of all files
     Values direction; ///< world space, weighted by the files' fluence
     SurfaceLight surfaces;
@@ -52,7 +52,7 @@ struct Scene {
     std::vector<Object> objects; ///< sharp boundaries alone
     std::vector<Region> regions; ///< of each object, then of what surrounds them
     Index index;
-    Light light;
+    StoredLight light;
     VoxelLayout layout; ///< of textures of its grids
 
     glm::ivec3 size() const { return domain.size(); }

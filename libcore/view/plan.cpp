@@ -53,12 +53,19 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
          plan.map ? "--env"
          : glows  ? "--background"
                   : "neither --env nor --background"});
+    add({"ground", plan.ground && scene.sharp,
+         !plan.ground  ? "no metadata 'eikonal:ground'"
+         : scene.sharp ? "metadata 'eikonal:ground'"
+                       : "boundaries are blurred"});
     add({"aovs", !params.aovs.empty(), params.aovs.empty() ? "no --aov" : "--aov"});
     add(named("dispersion"));
     plan.warnings = scene::warningsOf(scene);
     for (const std::string& idle : scene::idleWarnings(files, all)) plan.warnings.push_back(idle);
     if (scattering.on && !plan.lit())
         plan.warnings.push_back(scene.path + " scatters light but holds none: run lightsim first");
+    if (plan.ground && !scene.sharp)
+        plan.warnings.push_back("the ground of " + scene.path +
+                                " ends with the domain: boundaries are blurred");
     if (matt && scene.light.surfaces.empty() && params.points.empty())
         plan.warnings.push_back("what is opaque in " + scene.path +
                                 " is black, since no light is stored on it: run lightsim first");
@@ -86,7 +93,9 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
         scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
         (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
         (plan.scatters && !scene.light.fluence.grey());
+    plan.ground = scene::readGround(files, scene);
     listEffects(plan, params, files);
+    if (!scene.sharp) plan.ground.reset();
     return plan;
 }
 

@@ -4,11 +4,13 @@
 
 #include "scene/voxel_textures.h"
 #include "view/background.h"
+#include "view/ground.h"
 #include "view/picture.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -47,6 +49,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("MAP", plan.map);
     list.emplace_back("AOVS", wantsPaths(plan, params));
     list.emplace_back("POINTS", !params.points.empty());
+    list.emplace_back("GROUND", plan.ground.has_value());
     const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
     list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
     list.emplace_back("WAITING", sharp ? branchesWaiting(params) : 1);
@@ -179,6 +182,10 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mMedia = Media(device, plan);
     mMap = makeMap(device, map);
     if (!params.points.empty()) uploadPoints(device, plan, params.points);
+    if (plan.ground) {
+        const GroundParams ground = groundParams(*plan.ground, plan.scene);
+        mGround = gpu::Buffer(device, sizeof ground, &ground);
+    }
     profiler.end();
     const scene::Scene& scene = plan.scene;
     const Camera& camera = params.camera;
@@ -213,9 +220,15 @@ void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights
     const glm::ivec3 size(points.width, points.rows, 0);
     const glm::dmat4 voxelFromWorld = plan.scene.voxelFromWorld();
     std::vector<vec4> places(points.places.size()), lights(places.size());
+    // Beyond the domain no light was stored, and beside its sides not the ground's alone: see
+    // isAtSide() of shaders/view/ground.glsl.
+    const auto isKnown = [&](const dvec3& place) {
+        return !plan.ground ||
+               place == glm::clamp(place, dvec3(0.5), dvec3(plan.scene.size()) - 1.5);
+    };
     for (size_t i = 0; i < places.size(); ++i) {
-        places[i] =
-            vec4(glm::vec3(voxelFromWorld * glm::dvec4(points.places[i], 1.0)), points.isPoint[i]);
+        const dvec3 place(voxelFromWorld * glm::dvec4(points.places[i], 1.0));
+        places[i] = vec4(glm::vec3(place), points.isPoint[i] && isKnown(place));
         lights[i] = vec4(points.lights[i], 0);
     }
     mPointPlaces = Texture(device, size, TexelFormat::rgba32f, gpu::Filter::nearest);
@@ -232,6 +245,7 @@ void Rays::bind() const {
         mPointPlaces.bindSampler(kPointPlacesUnit);
         mPointLights.bindSampler(kPointLightsUnit);
     }
+    if (mGround.bytes() > 0) mGround.bindUniform(kGroundBlock);
     mBlock.bindUniform(kParamsBlock);
 }
 

@@ -54,7 +54,7 @@ private:
     scene::Transport mTransport;
     Media mMedia;
     gpu::Texture mMap, mPointPlaces, mPointLights;
-    gpu::Buffer mBlock;
+    gpu::Buffer mBlock, mGround;
     ViewParams mValues{};
     int mWidth;
 };

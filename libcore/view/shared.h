@@ -11,8 +11,10 @@ using glm::ivec4;
 using glm::uint;
 using glm::vec4;
 #include "shared/bindings.h"
+#include "shared/ground_params.h"
 #include "shared/view_params.h"
 
+static_assert(sizeof(GroundParams) == 96 + 64 * 160);
 static_assert(sizeof(ViewParams) == 240);
 static_assert(sizeof(PixelPath) == 64);
 

@@ -7,6 +7,7 @@
 #include "gpu/device.h"
 #include "image/exr.h"
 #include "image/image.h"
+#include "scene/ground.h"
 #include "scene/scene.h"
 #include "view/params.h"
 
@@ -26,7 +27,8 @@ struct Plan {
     bool anisotropic = false; ///< scattering prefers a direction
     bool emits = false;
     bool opaque = false;
-    bool map = false; ///< an environment map surrounds the scene
+    bool map = false;                    ///< an environment map surrounds the scene
+    std::optional<scene::Ground> ground; ///< which goes on beyond the domain
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 

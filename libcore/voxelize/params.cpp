@@ -68,8 +68,9 @@ void checkBounds(const mesh::Box& box) {
                 "X0,Y0,Z0,X1,Y1,Z1 with X0 < X1, Y0 < Y1 and Z0 < Z1");
 }
 
-void checkNames(const std::vector<Object>& objects) {
+void checkNames(const std::vector<Object>& objects, bool ground) {
     std::set<std::string> names;
+    if (ground) names.insert(volume::kGround);
     for (const Object& object : objects) {
         const std::string quoted = "'" + object.name + "'";
         require(isObjectName(object.name), "--name", quoted,
@@ -114,6 +115,24 @@ void refuseCount(const std::string& option, size_t given, const Place& place) {
     throw UsageError(option + ": given " + std::to_string(given) + " times, expected " + wanted);
 }
 
+void Params::checkGround() const {
+    if (!ground) {
+        if (groundMargin)
+            throw UsageError("--ground-margin: given without --ground, expected both");
+        return;
+    }
+    const std::string fault = volume::faultOf(*ground);
+    require(fault.empty(), "--ground", fault, "Y[:R,G,B[:checker SIZE]]");
+    if (!sharp)
+        throw UsageError("--ground: given with --boundary blurred, expected sharp boundaries");
+    if (!groundMargin) return;
+    require(*groundMargin >= 0 && *groundMargin <= volume::kFarthestGround, "--ground-margin",
+            toText(*groundMargin), "0 to 1e12 units");
+    if (bounds)
+        throw UsageError("--ground-margin: given with --bounds, which is the domain; expected one "
+                         "of the two");
+}
+
 void Params::check() const {
     if (objects.empty()) throw UsageError("MESH: none given, expected at least one");
     for (const Object& object : objects)
@@ -143,9 +162,10 @@ void Params::check() const {
     require(sdfBand >= 4 && sdfBand <= 100, "--sdf-band", toText(sdfBand), "4 to 100");
     // From 90° on a box would be a ball.
     require(smooth >= 0 && smooth < 90, "--smooth", toText(smooth), "0 or more, and less than 90");
+    checkGround();
     if (!sharp) return;
-    requireSharpCount(objects.size());
-    checkNames(objects);
+    requireSharpCount(objects.size() + (ground ? 1 : 0));
+    checkNames(objects, ground.has_value());
 }
 
 } // namespace eikonal::voxelize

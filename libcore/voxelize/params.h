@@ -4,6 +4,7 @@
 
 #include "mesh/smooth_surface.h"
 #include "mesh/triangle_mesh.h"
+#include "volume/ground.h"
 #include "volume/volume.h"
 
 #include <cstdint>
@@ -34,6 +35,7 @@ struct Object {
     int priority = 0; ///< where objects overlap the higher wins, among equals the later
     mesh::TriangleMesh mesh{};
     bool fillBelow = false; ///< an open mesh is filled below (-Y), however its faces look
+    bool isGround = false;  ///< it goes on beyond the domain, which is not laid around it
 };
 
 struct Params {
@@ -45,14 +47,19 @@ struct Params {
                                      ///< a quarter of `resolution` at most [voxel]
     bool cube = false;               ///< as long along every axis as along the longest
     std::optional<mesh::Box> bounds; ///< the domain, instead of objects and padding [unit]
-    int supersample = 4;             ///< samples along a voxel's edge: 1, 2, 4 or 8
-    bool sharp = true;               ///< each object's level set and own values are written, too
-    double sdfBand = 6;              ///< half width of the level sets [voxel]
+    std::optional<volume::Ground> ground; ///< an infinite plane, see addGround()
+    std::optional<double> groundMargin; ///< beside the objects, for shadows and caustics; none: as
+                                        ///< much as they extend sideways [unit]
+    int supersample = 4;                ///< samples along a voxel's edge: 1, 2, 4 or 8
+    bool sharp = true;                  ///< each object's level set and own values are written, too
+    double sdfBand = 6;                 ///< half width of the level sets [voxel]
     double smooth =
         mesh::kUsualSmooth; ///< facets that meet at no more are curved; 0: none [degree]
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;
+    /// The same of the ground alone.
+    void checkGround() const;
 };
 
 /// Whether an object may be called so: names become parts of grids' names, which --grids lists by

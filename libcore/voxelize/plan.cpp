@@ -17,14 +17,28 @@ namespace eikonal::voxelize {
 
 namespace {
 
+/// Down to the ground, and to the sides as far as shadows and caustics have room on it.
+void includeGround(mesh::Box& box, const Params& params) {
+    const double y = params.ground->y;
+    if (!(box.max.y > y))
+        throw UsageError("--ground: found Y " + toText(y) + ", expected below the objects' top, " +
+                         toText(box.max.y));
+    const glm::dvec3 edges = box.max - box.min;
+    const double margin = params.groundMargin.value_or(std::max(edges.x, edges.z));
+    box.min = {box.min.x - margin, y, box.min.z - margin};
+    box.max = {box.max.x + margin, box.max.y, box.max.z + margin};
+}
+
 mesh::Box boxOf(const Params& params) {
     if (params.bounds) return *params.bounds;
     mesh::Box box;
     for (const Object& object : params.objects) {
+        if (object.isGround) continue;
         const mesh::Box own = mesh::boundingBox(object.mesh);
         box.include(own.min);
         box.include(own.max);
     }
+    if (params.ground) includeGround(box, params);
     return box;
 }
 
@@ -52,36 +66,6 @@ int paddingWithin(const Params& params, int resolution) {
 int paddingAround(const Params& params, int objects) {
     if (params.bounds) return 0;
     return params.padding.value_or(std::clamp((kLongestEdge - objects) / 2, 0, kUsualPadding));
-}
-
-Lattice latticeOf(const Params& params) {
-    const mesh::Box box = boxOf(params);
-    const glm::dvec3 edges = box.max - box.min;
-    const double longest = longestEdge(box);
-    const int padding = params.voxelSize
-                            ? paddingAround(params, voxelsAlong(longest, *params.voxelSize))
-                            : paddingWithin(params, params.resolution);
-    Lattice lattice;
-    lattice.supersample = params.supersample;
-    lattice.voxelSize =
-        params.voxelSize ? *params.voxelSize : longest / (params.resolution - 2 * padding);
-    if (!(lattice.voxelSize >= kSmallestVoxel && lattice.voxelSize <= kLargestVoxel))
-        throw DataError("the domain's longest edge of " + toText(longest) + " makes voxels of " +
-                        toText(lattice.voxelSize) + ", expected " + toText(kSmallestVoxel) +
-                        " to " + toText(kLargestVoxel));
-    for (int i = 0; i < 3; ++i)
-        lattice.size[i] = voxelsAlong(edges[i], lattice.voxelSize) + 2 * padding;
-    const int most = std::max({lattice.size.x, lattice.size.y, lattice.size.z});
-    if (most > kLongestEdge)
-        throw UsageError((params.voxelSize
-                              ? "--voxel-size: found " + toText(*params.voxelSize)
-                              : "--resolution: found " + std::to_string(params.resolution)) +
-                         ", which makes the longest edge " + std::to_string(most) +
-                         " voxels long, expected at most " + std::to_string(kLongestEdge));
-    if (params.cube) lattice.size = glm::ivec3(most);
-    // Centred, so that what rounding up to whole voxels adds is the same on both sides.
-    lattice.low = (box.min + box.max) / 2.0 - glm::dvec3(lattice.size) / 2.0 * lattice.voxelSize;
-    return lattice;
 }
 
 /// The area of the faces whose boxes reach into the domain [unit²].
@@ -173,6 +157,36 @@ std::string harmOf(double voxels) {
 
 } // namespace
 
+Lattice latticeOf(const Params& params) {
+    const mesh::Box box = boxOf(params);
+    const glm::dvec3 edges = box.max - box.min;
+    const double longest = longestEdge(box);
+    const int padding = params.voxelSize
+                            ? paddingAround(params, voxelsAlong(longest, *params.voxelSize))
+                            : paddingWithin(params, params.resolution);
+    Lattice lattice;
+    lattice.supersample = params.supersample;
+    lattice.voxelSize =
+        params.voxelSize ? *params.voxelSize : longest / (params.resolution - 2 * padding);
+    if (!(lattice.voxelSize >= kSmallestVoxel && lattice.voxelSize <= kLargestVoxel))
+        throw DataError("the domain's longest edge of " + toText(longest) + " makes voxels of " +
+                        toText(lattice.voxelSize) + ", expected " + toText(kSmallestVoxel) +
+                        " to " + toText(kLargestVoxel));
+    for (int i = 0; i < 3; ++i)
+        lattice.size[i] = voxelsAlong(edges[i], lattice.voxelSize) + 2 * padding;
+    const int most = std::max({lattice.size.x, lattice.size.y, lattice.size.z});
+    if (most > kLongestEdge)
+        throw UsageError((params.voxelSize
+                              ? "--voxel-size: found " + toText(*params.voxelSize)
+                              : "--resolution: found " + std::to_string(params.resolution)) +
+                         ", which makes the longest edge " + std::to_string(most) +
+                         " voxels long, expected at most " + std::to_string(kLongestEdge));
+    if (params.cube) lattice.size = glm::ivec3(most);
+    // Centred, so that what rounding up to whole voxels adds is the same on both sides.
+    lattice.low = (box.min + box.max) / 2.0 - glm::dvec3(lattice.size) / 2.0 * lattice.voxelSize;
+    return lattice;
+}
+
 std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan) {
     std::vector<std::string> warnings;
     for (size_t k = 0; k < plan.walls.size(); ++k) {
@@ -238,7 +252,7 @@ Plan makePlan(const Params& params) {
         {"sdf", params.sharp, params.sharp ? "--boundary sharp" : "--boundary blurred"});
     if (params.sharp)
         for (const Object& object : params.objects)
-            plan.walls.push_back(mesh::thinnestWall(object.mesh));
+            plan.walls.push_back(object.isGround ? std::nullopt : mesh::thinnestWall(object.mesh));
     plan.hostBytes = bytesFor(params, lattice, components);
     requireHostFit(plan.hostBytes);
     return plan;

@@ -37,6 +37,9 @@ std::vector<std::string> thinWallWarnings(const Params& params, const Plan& plan
 /// The thinnest wall over all objects [voxel], if there is one.
 std::optional<double> thinnestWallVoxels(const Plan& plan);
 
+/// Around the objects and down to the ground. Throws as makePlan() does.
+Lattice latticeOf(const Params& params);
+
 /// The edge of the voxels of these meshes' lattice [unit]. Throws as makePlan() does.
 double voxelSizeOf(const Params& params);
 

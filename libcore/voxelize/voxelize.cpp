@@ -137,6 +137,7 @@ Result voxelize(gpu::Device& device, const Params& params, const Plan& plan, Sta
         HostPass pass(stats, "grids");
         putGrids(volume, params, plan, mixer, stats);
     }
+    if (params.ground) volume.setMetadata(volume::kGroundKey, volume::textOf(*params.ground));
     report(progress, 0.9);
     if (params.sharp) {
         HostPass pass(stats, "sdf");

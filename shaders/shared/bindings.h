@@ -9,6 +9,7 @@ const int kFieldBlock = 3;     // FieldParams
 const int kSceneBlock = 4;     // SceneParams
 const int kSurfaceBlock = 5;   // SurfaceParams
 const int kSpectrumBlock = 6;  // SpectrumParams
+const int kGroundBlock = 7;    // GroundParams
 
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients

@@ -5,6 +5,7 @@
 
 struct CameraRay {
     vec3 start;     // on the domain's face, or the eye [voxel]
+    vec3 eye;       // where it comes from [voxel]
     vec3 direction; // of length 1
     bool hits;      // the domain
     bool within;    // the eye is in the domain
@@ -35,5 +36,5 @@ CameraRay cameraRayOf(ivec2 pixel) {
     }
     bool hits = enter < leave;
     vec3 start = hits ? clampToDomain(vec3(eye + enter * towards)) : vec3(eye);
-    return CameraRay(start, vec3(towards), hits, hits && enter == 0.0LF);
+    return CameraRay(start, vec3(eye), vec3(towards), hits, hits && enter == 0.0LF);
 }

@@ -11,8 +11,8 @@
 #include "transport/path.glsl"
 
 #if !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || !defined(MAP) || \
-    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS)
-#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS 0 or 1, WAITING from 1
+    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS) || !defined(GROUND)
+#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS, GROUND 0 or 1, WAITING from 1
 #endif
 // POINTS: light is known for the points where first branches end.
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
@@ -22,6 +22,7 @@ const bool kAnisotropic = SOURCE == 2; // scattering prefers a direction
 const bool kEmission = EMISSION == 1; // something emits; if blurred, beside anisotropic scattering
 const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
 const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
+const bool kGround = GROUND == 1;     // an infinite plane goes on beyond the domain
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std140, binding = kParamsBlock) uniform Params { ViewParams params; };
@@ -42,6 +43,7 @@ ivec2 pixelNow; // in the picture
 #include "view/camera_ray.glsl"
 #include "view/counters.glsl"
 #include "view/surface.glsl"
+#include "view/ground.glsl"
 
 // What a pixel's ray has met on all its branches so far.
 struct Load {
@@ -55,6 +57,7 @@ struct Load {
     vec3 along;     // by what its throughput is more than its own: reflections not followed
     Path firstPath; // where that ended
     vec3 outward;   // normal of the surface it ended on
+    vec3 left;      // where it ended, or left the domain
     vec3 clear;     // opaque voxels: the last point known to be outside them
     vec3 inside;    // a point within them, when stopped
 };
@@ -112,23 +115,30 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
     }
 }
 
-// A path that ends on an opaque surface, seen through index n.
-void land(Path path, inout Load load, vec3 x, vec3 normal, vec3 albedo, float n) {
-    vec3 light = irradianceOn(x, normal, load.first);
+// A path that ends on an opaque surface of that irradiance, seen through index n.
+void land(Path path, inout Load load, vec3 light, vec3 normal, vec3 albedo, float n) {
     load.light += path.throughput * albedo * light * (0.3183098861837907 / (n * n));
     // Where nothing tells, as if it were across the ray.
     if (kAovs && load.first) load.outward = normal == vec3(0.0) ? -normalize(path.ray.w) : normal;
 }
 
+// The same on an object, whose coat has an index so many times that of what is before it; 0: it has none.
+void landOn(int region, float coat, Path path, inout Load load, vec3 x, vec3 normal, float n) {
+    bool isGround = kGround && region == ground.numbers.y;
+    vec3 albedo = scene.regions[region].albedo.xyz;
+    if (isGround) albedo = groundAlbedoAt(x);
+    if (kCoats && coat > 0.0) albedo = albedoUnderCoat(albedo, coat);
+    vec3 light = vec3(0.0);
+    if (isGround && isAtSide(x)) light = groundIrradianceAt(x);
+    else light = irradianceOn(x, normal, load.first);
+    land(path, load, light, normal, albedo, n);
+}
+
 void onSurface(inout Path path, inout Load load, Interface at) {
     ++load.interfaces;
-    vec3 albedo = scene.regions[at.there].albedo.xyz;
-    float n = length(path.ray.w);
-    if (isCoated(at)) {
-        albedo = albedoUnderCoat(albedo, at.beyond / at.n);
-        n = at.beyond;
-    }
-    land(path, load, at.x, -at.normal, albedo, n);
+    bool coated = isCoated(at);
+    landOn(at.there, coated ? at.beyond / at.n : 0.0, path, load, at.x, -at.normal,
+           coated ? at.beyond : length(path.ray.w));
 }
 
 float brightest(vec3 share) {
@@ -206,7 +216,22 @@ void reachVoxels(inout Path path, inout Load load) {
     if (kMeasures) path.lengths += dvec2(extent * n, extent);
     path.ray.x = inside;
     vec3 normal = opaqueNormalAt(inside);
-    land(path, load, inside, normal, opaqueAlbedoAt(inside, normal), n);
+    land(path, load, irradianceOn(inside, normal, load.first), normal, opaqueAlbedoAt(inside, normal), n);
+}
+
+// What is straight ahead of a path beyond the domain. On the ground it ends, as on any opaque surface.
+void seeBeyond(inout Path path, inout Load load, vec3 direction) {
+    float way = kGround ? wayToGround(path.ray.x, direction) : -1.0;
+    vec3 seen = vec3(0.0);
+    if (kGround && way >= 0.0) {
+        seen = groundLight(path.ray.x, direction, way);
+        if (load.first) load.outward = isAbove(path.ray.x) ? ground.plane.xyz : -ground.plane.xyz;
+        path.ray.x += way * direction;
+        path.status = kStopped;
+    } else {
+        seen = backgroundLight(direction);
+    }
+    load.sky += path.throughput * seen * outsideWeight();
 }
 
 bool onEnd(inout Path path, inout Load load) {
@@ -214,9 +239,10 @@ bool onEnd(inout Path path, inout Load load) {
     if (kOpaqueVoxels && path.status == kStopped) reachVoxels(path, load);
     bool escapes = path.status == kLeft;
     bool traps = path.status == kTrapped;
+    if (kGround && load.first) load.left = path.ray.x;
     // What goes on no further sees what is straight ahead: a guess by which clear scenes stay clear.
     if (escapes || traps || (kObjects > 0 && path.status == kDeep))
-        load.sky += path.throughput * backgroundLight(normalize(path.ray.w)) * outsideWeight();
+        seeBeyond(path, load, normalize(path.ray.w));
     load.trapped = traps || load.trapped;
     if (load.first) load.firstPath = path;
     load.first = false;
@@ -258,9 +284,13 @@ void main() {
     pixelNow = pixel;
 
     CameraRay camera = cameraRayOf(pixel);
+    if (kGround && camera.hits && !camera.within && isAbove(camera.eye) != isAbove(camera.start)) {
+        camera.hits = false; // the ground is before the domain
+        camera.start = camera.eye;
+    }
     Path path = pathFrom(camera.start, camera.direction, params.limits.x);
     Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, vec3(0.0),
-                     camera.start, camera.start);
+                     camera.start, camera.start, camera.start);
     vec3 white = vec3(1.0); // the share of white light that this ray sees
     if (kDisperses) white = takeLine(lineOf(pixel) + uint(params.ray.y));
     float n = outsideIndex(); // at the eye
@@ -277,11 +307,12 @@ void main() {
         path.ray.w *= entry;
         if (isOpaque(region)) { // cut open by the domain's face
             path.status = kStopped;
-            land(path, load, camera.start, faceNormal(camera.start), scene.regions[region].albedo.xyz, n);
+            landOn(region, 0.0, path, load, camera.start, faceNormal(camera.start), n);
         }
         count(kRays, 1u);
     } else {
-        load.sky = backgroundLight(camera.direction) * outsideWeight();
+        seeBeyond(path, load, camera.direction);
+        if (kGround) load.firstPath = path;
     }
     if (camera.hits) {
         trace(path, load);
@@ -307,7 +338,7 @@ void main() {
         found.place = vec4(first.ray.x, first.lengths.x);
         found.direction = vec4(direction, first.lengths.y);
         found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps));
-        float atExit = camera.hits ? indexOf(regionOf(first.objects), first.ray.x) : 1.0;
+        float atExit = camera.hits ? indexOf(regionOf(first.objects), kGround ? load.left : first.ray.x) : 1.0;
         vec2 outward = stopped ? octahedralOf(load.outward) : vec2(0.0);
         found.error = vec4(abs(length(first.ray.w) - atExit), stopped ? 1.0 : 0.0, outward);
         paths[at] = found;

@@ -50,6 +50,7 @@ std::vector<Owned> sharpViewBindings() {
             {"opaque object",
              of({kSurfaceBlock}, {}, {kIrradianceUnit, kSurfaceTableUnit, kSurfaceRecordsUnit})},
             {"points", of({}, {}, {kPointPlacesUnit, kPointLightsUnit})},
+            {"ground", of({kGroundBlock}, {}, {})},
             {"paths", of({}, {kPixelPathsBuffer}, {})}};
 }
 

@@ -3,7 +3,9 @@
 #include "effects.h"
 
 #include "lightsim/lightsim.h"
+#include "scene/recorded_lights.h"
 #include "view/view.h"
+#include "volume/ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +96,10 @@ public:
                     light.values.emplace_back(1);
                 }
         mVolume.putFine("irradiance", {glm::ivec3(0), glm::ivec3(mVoxels - 1)}, light);
+        return *this;
+    }
+    SceneVolume& say(const std::string& key, const std::string& value) {
+        mVolume.setMetadata(key, value);
         return *this;
     }
     volume::Volume take() { return std::move(mVolume); }
@@ -210,6 +216,18 @@ void roughen(SceneVolume& scene) {
 
 void metalOther(SceneVolume& scene) {
     scene.boundary("other", 0, volume::Metal{glm::vec3(0.5f), glm::vec3(3)});
+}
+
+/// A lit ground under the glass, which goes on beyond the domain.
+volume::Volume glassOverGround(const Scale& scale) {
+    SceneVolume scene(scale.voxels);
+    scene.constant("ior", 1, dvec3(1.5)).solid("glass", 0, ballDistance).own("ior", "glass", 1.5);
+    scene.solid("ground", 1, [](dvec3 p) { return p.y + 0.6; }).own("ior", "ground", 1);
+    scene.own("opacity", "ground", 1).own("albedo", "ground", 0.5f).shine();
+    scene.say(volume::kGroundKey, "-0.6 0.5,0.5,0.5 0.3");
+    scene.say(scene::kLightsKey, "directional:0.2,-1,0.1\nspot:0,3,0:0,-1,0:30:10\n"
+                                 "sphere:2,3,0:0.5\nrect:-2,3,0:0,0,1:1,0,0");
+    return scene.take();
 }
 
 double passMs(const Stats& stats, const std::string& name) {
@@ -377,6 +395,9 @@ std::vector<Case> sharpViewCases(const Scale& scale) {
     cases.push_back(viewCase("a second object, light of points",
                              {"several objects", "opaque object", "points"},
                              glassBeside(scale, opaqueOther), withPoints(params)));
+    cases.push_back(viewCase("a ground, and four lights",
+                             {"several objects", "opaque object", "ground"}, glassOverGround(scale),
+                             params));
     cases.push_back(viewCase("eight objects", {"several objects", "many objects"},
                              glassInCrowd(scale), params));
     view::Params shallow = params;

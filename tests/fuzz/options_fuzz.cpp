@@ -4,8 +4,8 @@
 #include "base/text.h"
 #include "gpu/device.h"
 #include "image/picture.h"
-#include "lightsim/lights.h"
 #include "optics/tracing.h"
+#include "scene/lights.h"
 
 #include <cmath>
 #include <cstdint>
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, size_t size) {
     refusedOrRight([&] { optics::parseInterpolation(text); });
     refusedOrRight([&] { optics::parseBoundary(text); });
     refusedOrRight([&] {
-        const lightsim::Light light = lightsim::parseLight(text);
+        const scene::Light light = scene::parseLight(text);
         for (int c = 0; c < 3; ++c)
             require(std::isfinite(light.rgb[c]) && light.rgb[c] >= 0 &&
                     std::isfinite(light.vector[c]));

@@ -48,6 +48,7 @@ namespace { // the library knows no `inline`
 #include "lib/microfacet.glsl" // and what it includes: fresnel, random
 #include "lib/octree.glsl"
 #include "lib/phase.glsl"
+#include "lib/plane_light.glsl"
 #include "lib/ray.glsl"
 #include "lib/spline.glsl"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "front_files.h"
 #include "image/picture.h"
+#include "lightsim/environment.h"
 #include "lightsim/lightsim.h"
 #include "mesh/check.h"
 #include "mesh/read.h"
@@ -9,6 +10,8 @@
 #include "options.h"
 #include "picture_points.h"
 #include "scene/effects.h"
+#include "scene/recorded_lights.h"
+#include "volume/ground.h"
 
 #include <filesystem>
 
@@ -75,8 +78,31 @@ void writeOctree(tool::Session& session, const Options& o, const volume::Volume&
     out.write(session.extraOutput(o.octree), session.history());
 }
 
-/// Light that is there replaces what the volume held.
-void putGrids(volume::Volume& volume, const lightsim::Plan& plan, const lightsim::Result& light) {
+/// Whether the lights are recorded: beyond the domain a ground has no voxels that hold light.
+bool recordsLights(const volume::Volume& volume, const lightsim::Plan& plan) {
+    return plan.wants(lightsim::Output::irradiance) && volume::groundOf(volume).has_value();
+}
+
+/// For --explain.
+std::string groundText(const volume::Volume& volume, const lightsim::Plan& plan) {
+    return recordsLights(volume, plan) ? "the lights are recorded for what lies beyond the domain"
+           : volume::groundOf(volume)  ? "no light on surfaces: no lights are recorded"
+                                       : "none";
+}
+
+/// A line a light.
+void recordLights(volume::Volume& volume, const std::vector<lightsim::Light>& lights) {
+    std::vector<std::string> lines;
+    for (const lightsim::Light& light : lights)
+        lines.push_back(
+            scene::recordOf(light, light.map ? lightsim::upwardIrradiance(light) : glm::dvec3(0)));
+    volume.setMetadata(scene::kLightsKey, join(lines, "\n"));
+}
+
+/// Light that is there, of these lights, replaces what the volume held.
+void putGrids(volume::Volume& volume, const lightsim::Plan& plan, const lightsim::Result& light,
+              const std::vector<lightsim::Light>& lights) {
+    if (recordsLights(volume, plan)) recordLights(volume, lights);
     volume::PutOptions options;
     options.vectorType = "color";
     if (plan.wants(lightsim::Output::fluence))
@@ -165,6 +191,7 @@ void simulate(tool::Session& session, Options& o) {
         session.explain(plan->effects, plan->warnings,
                         {{"voxels", scene::sizeText(plan->scene)},
                          {"lights", std::to_string(o.params.lights.size())},
+                         {"ground", groundText(*volume, *plan)},
                          {"photons", o.photons == "auto" ? "auto: 36 a voxel that the light sees"
                                                          : o.photons + " per light at most"},
                          {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
@@ -185,7 +212,7 @@ void simulate(tool::Session& session, Options& o) {
                                             volume->path() + ": nothing to simulate");
     } else {
         const auto takeLight = [&](size_t light, const lightsim::Result& its) {
-            putGrids(*volume, *plan, its);
+            putGrids(*volume, *plan, its, {o.params.lights[light]});
             volume->write(session.extraOutput(pathOf(session, o.params.lights[light])),
                           session.history());
         };
@@ -196,7 +223,8 @@ void simulate(tool::Session& session, Options& o) {
                                       {"light_dropped_by_steps", "--max-steps"},
                                       {"light_dropped_by_thinning", "--thin-to"},
                                       {"light_dropped_as_dim", "--drop-below"}});
-        if (o.points.empty()) session.pass("grids", [&] { putGrids(*volume, *plan, result); });
+        if (o.points.empty())
+            session.pass("grids", [&] { putGrids(*volume, *plan, result, o.params.lights); });
     }
     if (fronts) fronts->write(session);
     if (!o.points.empty()) return writeLight(session, o, *volume, points, result);

@@ -6,6 +6,7 @@
 #include "mesh2vol/material_facts.h"
 #include "voxelize/accept.h"
 #include "voxelize/curve.h"
+#include "voxelize/ground.h"
 #include "voxelize/voxelize.h"
 
 #include <algorithm>
@@ -148,6 +149,8 @@ void voxelizeMeshes(tool::Session& session, const mesh2vol::Options& o) {
             session.warn(warning);
     });
     objects.facts.emplace_back("triangles, curved by --smooth", trianglesOf(params));
+    voxelize::addGround(params);
+    if (params.ground) objects.facts.emplace_back("ground", mesh2vol::groundText(*params.ground));
     voxelize::Plan plan;
     session.pass("plan", [&] { plan = voxelize::makePlan(params); });
     if (session.explains()) {

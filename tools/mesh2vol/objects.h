@@ -173,7 +173,10 @@ inline void checkBeforeReading(const Options& o) {
     for (PerMesh& option : each.perMesh)
         if (!option.given.empty()) option.given.resize(most, std::string(option.given.back()));
     voxelize::Params params = sceneOf(each);
-    if (params.sharp) voxelize::requireSharpCount(most);
+    params.checkGround();
+    if (params.sharp) voxelize::requireSharpCount(most + (params.ground ? 1 : 0));
+    params.ground.reset();
+    params.groundMargin.reset();
     params.sharp = false; // names are looked at when all are known
     for (size_t k = 0; k < most; ++k) {
         // Which value goes with which is known where no option is given for each object.

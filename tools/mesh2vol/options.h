@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "common/session.h"
+#include "mesh2vol/ground.h"
 #include "mesh2vol/medium.h"
 #include "voxelize/params.h"
 
@@ -23,6 +24,7 @@ struct Options {
     std::vector<std::string> meshes;
     std::deque<PerMesh> perMesh; // a deque, for CLI11 keeps addresses
     Medium medium;
+    GroundOptions ground;
     std::optional<double> unit; // [m]
     std::string bounds, boundary = "sharp";
     double voxelSize = 0;
@@ -92,6 +94,7 @@ inline void addOptions(CLI::App& app, Options& o) {
         ->required();
     addObjectOptions(app, o);
     addMediumOptions(app, o.medium);
+    addGroundOptions(app, o.ground);
     const std::string group = "Volume";
     app.add_option("--unit", o.unit,
                    "metres in a unit of the meshes, by which named materials absorb; without it "
@@ -155,6 +158,8 @@ inline voxelize::Params sceneOf(const Options& o) {
     if (o.boundary != "sharp" && o.boundary != "blurred")
         throw UsageError("--boundary: found '" + o.boundary + "', expected sharp or blurred");
     params.sharp = o.boundary == "sharp";
+    params.ground = groundOf(o.ground);
+    params.groundMargin = o.ground.margin;
     if (o.voxelSizeOption->count() > 0) params.voxelSize = o.voxelSize;
     if (!o.bounds.empty()) {
         const auto b = parseNumbers(o.bounds);

@@ -1,6 +1,6 @@
 // The lights of a scene, as people give them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lightsim/lights.h"
+#include "scene/lights.h"
 
 #include "base/error.h"
 #include "base/text.h"
@@ -12,7 +12,7 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
-namespace eikonal::lightsim {
+namespace eikonal::scene {
 
 const char* const kLightSpecs =
     "directional:DX,DY,DZ[:R,G,B[:DEG]], point:X,Y,Z[:R,G,B], "
@@ -158,6 +158,7 @@ bool Light::isExtended() const {
 Light parseLight(const std::string& spec) {
     Parts parts(spec);
     Light light;
+    light.spec = spec;
     std::string rest = spec;
     const size_t equals = spec.find('='), colon = spec.find(':');
     if (equals < colon && equals != std::string::npos) {
@@ -211,4 +212,4 @@ dvec3 powerOf(const Light& light) {
     throw InternalError("a light without a place has no power of its own");
 }
 
-} // namespace eikonal::lightsim
+} // namespace eikonal::scene

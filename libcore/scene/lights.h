@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace eikonal::lightsim {
+namespace eikonal::scene {
 
 /// A light in the world. It is seen by no picture and casts no shadow itself.
 struct Light {
@@ -34,6 +34,7 @@ struct Light {
     std::shared_ptr<image::Image> map{}; ///< environment: R, G, B, radiance, read by who parsed it
     glm::dmat3 mapFromWorld{1};          ///< environment: its pose
     std::string name{};                  ///< of its layers and files
+    std::string spec{};                  ///< as it was given
 
     /// Whether many points or directions stand for it.
     bool isExtended() const;
@@ -50,4 +51,4 @@ extern const char* const kLightSpecs;
 /// What a light that has a place sends into all directions [W].
 glm::dvec3 powerOf(const Light& light);
 
-} // namespace eikonal::lightsim
+} // namespace eikonal::scene

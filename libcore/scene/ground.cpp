@@ -1,0 +1,27 @@
+// The ground of a scene, and the lights that fall on it beyond the domain.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/ground.h"
+
+#include "base/error.h"
+
+namespace eikonal::scene {
+
+std::optional<Ground> readGround(const Files& files, const Scene& scene) {
+    std::optional<Ground> ground;
+    for (const volume::Volume* volume : files.all()) {
+        const auto plane = volume::groundOf(*volume);
+        if (!plane) continue;
+        if (ground && !(ground->plane == *plane))
+            throw DataError(volume->path() + ": its ground is " + volume::textOf(*plane) +
+                            ", expected that of the files before, " +
+                            volume::textOf(ground->plane));
+        if (!ground) ground = Ground{*plane, {}};
+    }
+    if (!ground) return ground;
+    ground->lights = recordedLights(files);
+    for (size_t k = 0; k < scene.objects.size(); ++k)
+        if (scene.regions[k].name == volume::kGround) ground->region = static_cast<int>(k);
+    return ground;
+}
+
+} // namespace eikonal::scene
