@@ -6,6 +6,7 @@
 #include "base/text.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace eikonal::scene {
 
@@ -26,13 +27,26 @@ bool sameFrame(const volume::Frame& a, const volume::Frame& b) {
 Files::Files(std::vector<volume::Volume> volumes) : mOwn(std::move(volumes)) {
     for (const volume::Volume& volume : mOwn) mAll.push_back(&volume);
     for (const volume::Volume* volume : mAll) {
-        if (!sameFrame(frame(), volume->frame()))
+        if (!areOnOneTransform(first(), *volume))
             throw DataError(volume->path() + ": is on another transform than " + path());
         mDomain.include(volume->domain());
     }
+    mFrame = first().frame();
 }
 
-Files::Files(const volume::Volume& volume) : mAll{&volume}, mDomain(volume.domain()) {}
+Files::Files(const volume::Volume& volume)
+    : mAll{&volume}, mDomain(volume.domain()), mFrame(volume.frame()) {}
+
+void Files::place(const glm::dmat4& worldFromFile) {
+    mFrame.worldFromIndex = worldFromFile * mFrame.worldFromIndex;
+    const double scale = glm::length(glm::dvec3(worldFromFile[0]));
+    mFrame.voxelSize *= scale;
+    mTurn = glm::dmat3(worldFromFile) / scale * mTurn;
+}
+
+bool areOnOneTransform(const volume::Volume& a, const volume::Volume& b) {
+    return sameFrame(a.frame(), b.frame());
+}
 
 const volume::Volume* Files::withGrid(const std::string& grid) const {
     for (const volume::Volume* volume : mAll)

@@ -19,7 +19,13 @@ public:
     explicit Files(const volume::Volume& volume);
 
     const volume::IndexBox& domain() const { return mDomain; }
-    const volume::Frame& frame() const { return first().frame(); }
+    const volume::Frame& frame() const { return mFrame; }
+    /// Moves the scene, its light with it: `worldFromFile` turns, shifts and scales evenly.
+    void place(const glm::dmat4& worldFromFile);
+    /// How it has been turned so.
+    const glm::dmat3& turn() const { return mTurn; }
+    /// Leaves out what is beyond a part of the domain.
+    void crop(const volume::IndexBox& part) { mDomain = part; }
     const std::string& path() const { return first().path(); }
     /// The first file's own history, one command a line.
     std::string history() const { return first().metadata("eikonal:command"); }
@@ -37,6 +43,11 @@ private:
     std::vector<volume::Volume> mOwn;
     std::vector<const volume::Volume*> mAll;
     volume::IndexBox mDomain;
+    volume::Frame mFrame;
+    glm::dmat3 mTurn{1};
 };
+
+/// Whether two volumes' voxels lie on one lattice.
+bool areOnOneTransform(const volume::Volume& a, const volume::Volume& b);
 
 } // namespace eikonal::scene

@@ -231,6 +231,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
     scene.path = files.path();
     scene.frame = files.frame();
     scene.domain = files.domain();
+    scene.turned = files.turn();
     const volume::Volume* objects = files.withObjects();
     scene.sharp = wanted.boundary == optics::Boundary::sharp ||
                   (wanted.boundary == optics::Boundary::automatic && objects != nullptr);

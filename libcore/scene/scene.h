@@ -60,6 +60,7 @@ struct Scene {
     double voxelSize() const { return frame.voxelSize; }
     glm::dmat4 voxelFromWorld() const; ///< the domain's first voxel at the origin
     glm::dmat3 worldFromVoxelTurn() const;
+    glm::dmat3 turned{1}; ///< how its files were turned in the world, their light with them
 
     /// What surrounds all objects; blurred, the one region.
     const Region& medium() const { return regions.back(); }

@@ -33,7 +33,21 @@ struct Places {
 };
 
 bool isOnSurface(const PixelPath& path) {
-    return path.error.y == 1;
+    return static_cast<int>(path.error.y) % 2 == 1;
+}
+
+/// Which domain it ended in.
+size_t domainOf(const PixelPath& path) {
+    return static_cast<size_t>(path.error.y) / 2;
+}
+
+bool anySharp(const std::vector<Plan>& plans) {
+    return std::any_of(plans.begin(), plans.end(), [](const Plan& p) { return p.scene.sharp; });
+}
+
+bool anyWantsPaths(const std::vector<Plan>& plans, const Params& params) {
+    return std::any_of(plans.begin(), plans.end(),
+                       [&](const Plan& plan) { return wantsPaths(plan, params); });
 }
 
 /// The normal where it ended, as shaders/lib/octahedral.glsl packs it.
@@ -89,10 +103,11 @@ constexpr std::int64_t kMostRestBytes = std::int64_t{32} << 20;
 
 /// A pixel's ray at rest has every branch that waits: more than `struct Rest` of
 /// shaders/view/rest.glsl takes, of which the kernel fits in as many as it can.
-std::int64_t restBytes(const Plan& plan, const Params& params) {
-    if (!plan.scene.sharp) return 0;
+std::int64_t restBytes(const std::vector<Plan>& plans, const Params& params) {
+    if (!anySharp(plans)) return 0;
     const std::int64_t one = 1024 + 96 * std::int64_t{branchesWaiting(params)};
-    const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
+    const std::int64_t strip =
+        std::int64_t{params.camera.width} * rowsPerStrip(params, plans.size() > 1);
     return std::min(2 * strip * one, kMostRestBytes);
 }
 
@@ -119,34 +134,36 @@ int branchesWaiting(const Params& params) {
     return static_cast<int>(std::bit_ceil(depth));
 }
 
-int rowsPerStrip(const Params& params) {
-    const std::int64_t rows = (std::int64_t{1} << 20) / params.camera.width;
+int rowsPerStrip(const Params& params, bool several) {
+    const std::int64_t rows = (std::int64_t{1} << (several ? 16 : 20)) / params.camera.width;
     return static_cast<int>(std::clamp<std::int64_t>(rows, 1, params.camera.rows));
 }
 
 bool wantsPaths(const Plan& plan, const Params& params) {
-    return !params.aovs.empty() || (plan.dims && plan.colour);
+    return plan.paths || !params.aovs.empty() || (plan.dims && plan.colour);
 }
 
-std::vector<gpu::Need> pictureNeeds(const Plan& plan, const Params& params) {
-    const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
+std::vector<gpu::Need> pictureNeeds(const std::vector<Plan>& plans, const Params& params) {
+    const std::int64_t strip =
+        std::int64_t{params.camera.width} * rowsPerStrip(params, plans.size() > 1);
     std::vector<gpu::Need> needs{{"the picture", strip * 16, true, 0}};
-    if (wantsPaths(plan, params))
+    if (anyWantsPaths(plans, params))
         needs.push_back(
             {"the rays' paths", strip * static_cast<std::int64_t>(sizeof(PixelPath)), true, 0});
-    if (plan.scene.sharp) needs.push_back({"rays that rest", restBytes(plan, params), true, 0});
+    if (anySharp(plans)) needs.push_back({"rays that rest", restBytes(plans, params), true, 0});
     return needs;
 }
 
-Picture::Picture(gpu::Device& device, const Plan& plan, const Params& params)
+Picture::Picture(gpu::Device& device, const std::vector<Plan>& plans, const Params& params)
     : mCounters(device, kSlots * kCounters * 8), mWidth(params.camera.width) {
-    const std::int64_t strip = std::int64_t{params.camera.width} * rowsPerStrip(params);
+    const std::int64_t strip =
+        std::int64_t{params.camera.width} * rowsPerStrip(params, plans.size() > 1);
     const auto path = static_cast<std::int64_t>(sizeof(PixelPath));
-    const bool paths = wantsPaths(plan, params);
+    const bool paths = anyWantsPaths(plans, params);
     mColours = gpu::Buffer(device, strip * 16);
     mPaths = gpu::Buffer(device, paths ? strip * path : path);
     mCounters.clear();
-    if (plan.scene.sharp) mRests = gpu::Buffer(device, restBytes(plan, params));
+    if (anySharp(plans)) mRests = gpu::Buffer(device, restBytes(plans, params));
     const size_t pixels = static_cast<size_t>(params.camera.width) * params.camera.rows;
     mPixels.resize(pixels);
     if (paths) mPixelPaths.resize(pixels);
@@ -179,7 +196,8 @@ void Picture::readStrip(int row, int rows) {
                         pixels * static_cast<std::int64_t>(sizeof(PixelPath)));
 }
 
-void Picture::readCounters(const Plan& plan, const Params& params, Stats& stats) const {
+void Picture::readCounters(const std::vector<Plan>& plans, const Params& params,
+                           Stats& stats) const {
     std::array<std::uint64_t, kSlots * kCounters> slots{};
     mCounters.download(slots.data(), sizeof slots);
     const auto sum = [&](uint counter) {
@@ -191,13 +209,15 @@ void Picture::readCounters(const Plan& plan, const Params& params, Stats& stats)
     stats.count("rays", sum(kRays));
     stats.count("steps", sum(kSteps));
     stats.count("trapped", sum(kTrappedRays));
-    if (plan.scene.sharp) {
+    if (anySharp(plans)) {
         const double shares = static_cast<double>(kShareUnit) * std::max(sum(kRays), 1.0);
         stats.count("boundaries_met", sum(kInterfaces));
         stats.count("light_dropped_by_depth", sum(kDroppedByDepth) / shares);
         stats.count("light_dropped_as_dim", sum(kDroppedAsDim) / shares);
     }
-    if (plan.scene.index.varies() && params.integrator == Integrator::adaptive) {
+    const bool bends = std::any_of(plans.begin(), plans.end(),
+                                   [](const Plan& p) { return p.scene.index.varies(); });
+    if (bends && params.integrator == Integrator::adaptive) {
         float worst = 0;
         for (uint slot = 0; slot < kSlots; ++slot)
             worst = std::max(worst, std::bit_cast<float>(static_cast<std::uint32_t>(
@@ -207,12 +227,13 @@ void Picture::readCounters(const Plan& plan, const Params& params, Stats& stats)
     }
 }
 
-image::Image Picture::assemble(const Plan& plan, const Params& params) const {
+image::Image Picture::assemble(const std::vector<Plan>& plans, const Params& params) const {
     image::Image picture(params.camera.width, params.camera.rows);
     picture.addChannels({"R", "G", "B", "A"},
                         {reinterpret_cast<const float*>(mPixels.data()), mPixels.size() * 4}, 4);
     if (mPixelPaths.empty()) return picture;
-    const Places places(plan, params.camera);
+    std::vector<Places> places;
+    for (const Plan& plan : plans) places.emplace_back(plan, params.camera);
     const auto add = [&](const std::vector<std::string>& channels, const auto& valueOf) {
         std::vector<float> samples;
         samples.reserve(mPixelPaths.size() * channels.size());
@@ -223,13 +244,15 @@ image::Image Picture::assemble(const Plan& plan, const Params& params) const {
         }
         picture.addChannels(channels, samples, channels.size());
     };
-    if (plan.dims && plan.colour)
+    if (std::any_of(plans.begin(), plans.end(),
+                    [](const Plan& plan) { return plan.dims && plan.colour; }))
         add({"AR", "AG", "AB"}, [](const PixelPath& path) { return 1.0 - dvec3(path.through); });
     for (const std::string& name : params.aovs)
         for (const Aov& aov : kAovTable)
             if (name == aov.name)
-                add(channelsOf(aov.name, aov.components),
-                    [&](const PixelPath& path) { return aov.valueOf(path, places); });
+                add(channelsOf(aov.name, aov.components), [&](const PixelPath& path) {
+                    return aov.valueOf(path, places[domainOf(path)]);
+                });
     return picture;
 }
 

@@ -8,9 +8,10 @@
 
 namespace eikonal::view {
 
-/// Rows traced by one launch: about a million pixels, so that the largest buffer stays at 64 MiB,
-/// half of what every device holds, and progress is shown now and then.
-int rowsPerStrip(const Params& params);
+/// Rows traced by one launch: about a million pixels (of several domains a sixteenth, for the rays
+/// between them), so that the largest buffer stays at 64 MiB, half of what every device holds, and
+/// progress is shown now and then.
+int rowsPerStrip(const Params& params, bool several);
 
 /// How many of a ray's branches may wait. What is mirrored when they are as many goes along with
 /// what is refracted, as where it is too dim to follow.
@@ -20,11 +21,11 @@ int branchesWaiting(const Params& params);
 bool wantsPaths(const Plan& plan, const Params& params);
 
 /// What a strip takes on the device.
-std::vector<gpu::Need> pictureNeeds(const Plan& plan, const Params& params);
+std::vector<gpu::Need> pictureNeeds(const std::vector<Plan>& plans, const Params& params);
 
 class Picture {
 public:
-    Picture(gpu::Device& device, const Plan& plan, const Params& params);
+    Picture(gpu::Device& device, const std::vector<Plan>& plans, const Params& params);
 
     void bind() const;
     /// Before a launch: none of its rays rests yet.
@@ -34,9 +35,9 @@ public:
     /// Fetches a strip from the device.
     void readStrip(int row, int rows);
     /// Adds what was counted to the statistics.
-    void readCounters(const Plan& plan, const Params& params, Stats& stats) const;
+    void readCounters(const std::vector<Plan>& plans, const Params& params, Stats& stats) const;
     /// Colours, opacities by wavelength where the medium is coloured, and the AOVs asked for.
-    image::Image assemble(const Plan& plan, const Params& params) const;
+    image::Image assemble(const std::vector<Plan>& plans, const Params& params) const;
 
 private:
     gpu::Buffer mColours, mPaths, mCounters, mRests;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects.h"
 #include "scene/transport.h"
+#include "view/domains.h"
 #include "view/picture.h"
 #include "view/rays.h"
 #include "view/view.h"
@@ -99,15 +100,94 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     return plan;
 }
 
-std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
-    std::vector<gpu::Need> needs = scene::transportNeeds(plan.scene, params);
-    for (const gpu::Need& need : mediaNeeds(plan)) needs.push_back(need);
-    for (const gpu::Need& need : pictureNeeds(plan, params)) needs.push_back(need);
+std::vector<gpu::Need> needsOf(const std::vector<Plan>& plans, const Params& params) {
+    std::vector<gpu::Need> needs;
+    const auto add = [&](const std::vector<gpu::Need>& more) {
+        needs.insert(needs.end(), more.begin(), more.end());
+    };
+    for (const Plan& plan : plans) {
+        add(scene::transportNeeds(plan.scene, params));
+        add(mediaNeeds(plan));
+    }
+    add(pictureNeeds(plans, params));
+    if (plans.size() > 1) add(domainNeeds(params));
     if (!params.points.empty())
         needs.push_back({"the light of points",
                          32 * static_cast<std::int64_t>(params.points.places.size()), false,
                          std::max(params.points.width, params.points.rows)});
     return needs;
+}
+
+namespace {
+
+// Round the objects that a domain is cut to: what splines and stored light reach [voxel].
+constexpr int kRoundObjects = 2;
+
+/// The part of a scene's domain that has anything but the surrounding medium in it, where that is
+/// clear and even.
+volume::IndexBox partWithObjects(const scene::Scene& scene) {
+    const Region& medium = scene.medium();
+    const bool clear = scene.sharp && !medium.indexVaries() && medium.absorption.isZero() &&
+                       medium.scattering.isZero() && medium.emission.isZero() && !medium.opaque;
+    volume::IndexBox part;
+    for (const scene::Object& object : scene.objects)
+        if (!object.inside.empty()) part.include(object.inside);
+    if (!clear || part.empty()) return scene.domain;
+    return {glm::max(part.min + scene.domain.min - kRoundObjects, scene.domain.min),
+            glm::min(part.max + scene.domain.min + kRoundObjects, scene.domain.max)};
+}
+
+/// An effect of several domains is on where it is on in one.
+void joinEffects(std::vector<Plan>& plans) {
+    Plan& first = plans.front();
+    for (size_t i = 1; i < plans.size(); ++i) {
+        for (size_t e = 0; e < first.effects.size(); ++e) {
+            const Effect other = scene::effectNamed(plans[i].effects, first.effects[e].name);
+            if (!first.effects[e].on && other.on) first.effects[e] = other;
+        }
+        for (const Effect& other : plans[i].effects)
+            if (std::none_of(first.effects.begin(), first.effects.end(),
+                             [&](const Effect& known) { return known.name == other.name; }))
+                first.effects.push_back(other);
+        first.warnings.insert(first.warnings.end(), plans[i].warnings.begin(),
+                              plans[i].warnings.end());
+    }
+}
+
+/// All of them see the one ground.
+void shareGround(std::vector<Plan>& plans) {
+    std::optional<scene::Ground> ground;
+    for (const Plan& plan : plans)
+        if (plan.ground && !ground) ground = plan.ground;
+    if (!ground) return;
+    ground->region = -1;
+    for (Plan& plan : plans)
+        if (!plan.ground) plan.ground = ground;
+}
+
+} // namespace
+
+std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& params, bool hasMap) {
+    std::vector<Plan> plans;
+    for (scene::Files& one : files) {
+        plans.push_back(makePlan(one, params, hasMap));
+        if (files.size() == 1) return plans;
+        const volume::IndexBox part = partWithObjects(plans.back().scene);
+        if (part.voxels() == plans.back().scene.voxels()) continue;
+        one.crop(part);
+        plans.back() = makePlan(one, params, hasMap);
+    }
+    requireApart(plans);
+    shareDispersion(plans);
+    shareGround(plans);
+    const bool paths = std::any_of(plans.begin(), plans.end(),
+                                   [&](const Plan& plan) { return wantsPaths(plan, params); });
+    for (Plan& plan : plans) {
+        plan.several = true;
+        plan.paths = paths;
+    }
+    joinEffects(plans);
+    return plans;
 }
 
 } // namespace eikonal::view

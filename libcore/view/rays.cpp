@@ -50,6 +50,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("AOVS", wantsPaths(plan, params));
     list.emplace_back("POINTS", !params.points.empty());
     list.emplace_back("GROUND", plan.ground.has_value());
+    list.emplace_back("DOMAINS", plan.several);
     const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
     list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
     list.emplace_back("WAITING", sharp ? branchesWaiting(params) : 1);
@@ -74,7 +75,9 @@ Texture rgbTexture(gpu::Device& device, const Plan& plan, const scene::Values& v
 /// In voxel space, times the fluence's sum over rgb, and g beside it: an interpolated mean
 /// direction is that of the light there only if each voxel's counts by its light.
 Texture makeDirection(gpu::Device& device, const Plan& plan) {
-    const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()));
+    // Directions are those of the world that the file was lit in.
+    const glm::mat3 voxelFromWorld(glm::transpose(plan.scene.worldFromVoxelTurn()) *
+                                   plan.scene.turned);
     const scene::Values& direction = plan.scene.light.direction;
     const scene::Values& fluence = plan.scene.light.fluence;
     return voxelTexture(

@@ -29,6 +29,8 @@ struct Plan {
     bool opaque = false;
     bool map = false;                    ///< an environment map surrounds the scene
     std::optional<scene::Ground> ground; ///< which goes on beyond the domain
+    bool several = false;                ///< there are other domains
+    bool paths = false;                  ///< some other domain calls for rays' paths
     std::vector<Effect> effects;
     std::vector<std::string> warnings;
 
@@ -38,12 +40,19 @@ struct Plan {
 
 Plan makePlan(const scene::Files& files, const Params& params, bool hasMap);
 
+/// Of volumes in places of their own. Where nothing but objects is in one, its domain is cut to
+/// them, so that empty space costs nothing. Throws DataError where domains overlap, or do not lie
+/// in one medium.
+std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& params, bool hasMap);
+
 /// What the run will hold on the device.
-std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params);
+std::vector<gpu::Need> needsOf(const std::vector<Plan>& plans, const Params& params);
 
 /// Renders radiance [W/(m² sr)], premultiplied R G B A, AR AG AB where the medium is coloured, and
 /// the AOVs asked for. `map` is the environment, R G B. Fills passes and counters of `stats`.
 /// Throws MemoryError before the work if the device can't hold it.
+image::Image render(gpu::Device& device, const std::vector<Plan>& plans, const Params& params,
+                    const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
 image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
 

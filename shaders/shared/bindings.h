@@ -10,6 +10,7 @@ const int kSceneBlock = 4;     // SceneParams
 const int kSurfaceBlock = 5;   // SurfaceParams
 const int kSpectrumBlock = 6;  // SpectrumParams
 const int kGroundBlock = 7;    // GroundParams
+const int kDomainsBlock = 8;   // DomainParams
 
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
@@ -43,6 +44,8 @@ const int kColoursBuffer = 0;    // premultiplied RGBA per pixel
 const int kPixelPathsBuffer = 1; // PixelPath per pixel
 const int kCountersBuffer = 2;   // see view_params.h
 const int kRestsBuffer = 3;      // sharp: branches that go on in another launch
+const int kDeparturesBuffer = 4; // Departure: rays on their way to another domain
+const int kPendingBuffer = 5;    // of each pixel of a strip the first of those
 
 // lightsim: textures.
 const int kPhotonMapUnit = 0;  // where the light first meets the domain or the proxy [voxel]

@@ -6,9 +6,11 @@
 struct CameraRay {
     vec3 start;     // on the domain's face, or the eye [voxel]
     vec3 eye;       // where it comes from [voxel]
+    dvec3 exact;    // the same
     vec3 direction; // of length 1
     bool hits;      // the domain
     bool within;    // the eye is in the domain
+    bool isFirst;   // of its pixel, and on its first branch
 };
 
 // Set up in double: a distant eye must not jitter the point of entry.
@@ -36,5 +38,5 @@ CameraRay cameraRayOf(ivec2 pixel) {
     }
     bool hits = enter < leave;
     vec3 start = hits ? clampToDomain(vec3(eye + enter * towards)) : vec3(eye);
-    return CameraRay(start, vec3(eye), vec3(towards), hits, hits && enter == 0.0LF);
+    return CameraRay(start, vec3(eye), eye, vec3(towards), hits, hits && enter == 0.0LF, true);
 }

@@ -11,8 +11,10 @@
 #include "transport/path.glsl"
 
 #if !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || !defined(MAP) || \
-    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS) || !defined(GROUND)
-#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS, GROUND 0 or 1, WAITING from 1
+    !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS) || !defined(GROUND) || \
+    !defined(DOMAINS)
+#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS, GROUND, DOMAINS 0 or 1, \
+WAITING from 1
 #endif
 // POINTS: light is known for the points where first branches end.
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
@@ -23,6 +25,7 @@ const bool kEmission = EMISSION == 1; // something emits; if blurred, beside ani
 const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
 const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
 const bool kGround = GROUND == 1;     // an infinite plane goes on beyond the domain
+const bool kDomains = DOMAINS == 1;   // there are several
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std140, binding = kParamsBlock) uniform Params { ViewParams params; };
@@ -39,11 +42,15 @@ layout(binding = kFluenceUnit) uniform sampler3D fluence; // [W/m²]
 
 #include "lib/octahedral.glsl"
 ivec2 pixelNow; // in the picture
+#if DOMAINS == 1
+vec3 begunAlong = vec3(0.0); // the ray, in this domain
+#endif
 #include "view/environment.glsl"
 #include "view/camera_ray.glsl"
 #include "view/counters.glsl"
 #include "view/surface.glsl"
 #include "view/ground.glsl"
+#include "view/domains.glsl"
 
 // What a pixel's ray has met on all its branches so far.
 struct Load {
@@ -219,6 +226,30 @@ void reachVoxels(inout Path path, inout Load load) {
     land(path, load, irradianceOn(inside, normal, load.first), normal, opaqueAlbedoAt(inside, normal), n);
 }
 
+// Whether a pixel's first branch, which began along a direction, is not as if there were nothing. Where no
+// gradient acted the direction is the same but for rounding.
+bool hasChanged(Path first, Load load, vec3 began) {
+    vec3 turned = normalize(first.ray.w) - began;
+    return load.interfaces > 0 || first.status == kStopped || dot(turned, turned) > 1.0e-12 ||
+           first.throughput != vec3(1.0) || load.light != vec3(0.0);
+}
+
+// Whether a path that has left the domain goes on in another one.
+bool goesOn(Path path, Load load, vec3 direction) {
+#if DOMAINS == 1
+    Ahead ahead = nextDomain(dvec3(path.ray.x), dvec3(direction));
+    float ground = kGround ? wayToGround(path.ray.x, direction) : -1.0;
+    if (ahead.domain < 0 || (ground >= 0.0 && ground < ahead.way)) return false;
+    bool first = isFirst && load.first;
+    bool changed = first && (wasChanged || hasChanged(path, load, begunAlong));
+    vec3 lengths = lengthsBefore + vec3(vec2(path.lengths) * domains.scale.x, float(path.steps));
+    return depart(ahead, direction, eyeIndex, path.throughput, load.along, path.depth,
+                  (first ? kFirstBranch : 0) | (changed ? kChangedBranch : 0), lengths);
+#else
+    return false;
+#endif
+}
+
 // What is straight ahead of a path beyond the domain. On the ground it ends, as on any opaque surface.
 void seeBeyond(inout Path path, inout Load load, vec3 direction) {
     float way = kGround ? wayToGround(path.ray.x, direction) : -1.0;
@@ -241,6 +272,7 @@ bool onEnd(inout Path path, inout Load load) {
     bool traps = path.status == kTrapped;
     if (kGround && load.first) load.left = path.ray.x;
     // What goes on no further sees what is straight ahead: a guess by which clear scenes stay clear.
+    if (kDomains && escapes) escapes = !goesOn(path, load, normalize(path.ray.w));
     if (escapes || traps || (kObjects > 0 && path.status == kDeep))
         seeBeyond(path, load, normalize(path.ray.w));
     load.trapped = traps || load.trapped;
@@ -255,8 +287,8 @@ bool onEnd(inout Path path, inout Load load) {
     return more;
 }
 
-void countPath(Path path, Load load) {
-    count(kSteps, uint(path.steps));
+void countPath(Path path, Load load, int stepsBefore) {
+    count(kSteps, uint(path.steps - stepsBefore));
     // A ray that found no place to rest may have been cut off.
     if (load.trapped || (kObjects > 0 && waitingCount > 0 && restAt < 0)) count(kTrappedRays, 1u);
     if (kObjects > 0) {
@@ -265,6 +297,130 @@ void countPath(Path path, Load load) {
         countShare(kDroppedAsDim, load.dim);
     }
     if (kIntegrator == kAdaptive) noteError(errorOf(path.error, path.steps));
+}
+
+// What a ray adds to its pixel.
+struct Seen {
+    vec3 light;
+    bool changed; // see hasChanged()
+};
+
+// Traces a ray, and writes the path of its pixel's first branch.
+Seen look(CameraRay camera, inout Path path, inout Load load, float n, int at, int stepsBefore) {
+    if (camera.hits) {
+        trace(path, load);
+        countPath(path, load, stepsBefore);
+        if (restAt >= 0) rest(n, at);
+    }
+    Path first = load.firstPath;
+    bool changed = hasChanged(first, load, camera.direction);
+    if (kAovs && params.pattern.z == 1.0 && camera.isFirst) {
+        bool stopped = first.status == kStopped;
+        PixelPath found;
+        vec3 before = vec3(0.0);
+        float domain = 0.0;
+#if DOMAINS == 1
+        before = vec3(lengthsBefore.xy / domains.scale.x, lengthsBefore.z);
+        domain = float(domains.numbers.x);
+#endif
+        found.place = vec4(first.ray.x, float(first.lengths.x) + before.x);
+        found.direction = vec4(normalize(first.ray.w), float(first.lengths.y) + before.y);
+        found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps) + before.z);
+        float atExit = camera.hits ? indexOf(regionOf(first.objects), kGround ? load.left : first.ray.x) : 1.0;
+        vec2 outward = stopped ? octahedralOf(load.outward) : vec2(0.0);
+        found.error = vec4(abs(length(first.ray.w) - atExit), (stopped ? 1.0 : 0.0) + 2.0 * domain, outward);
+        paths[at] = found;
+    }
+    return Seen((load.light + load.sky) * (n * n), changed);
+}
+
+Load loadFrom(CameraRay camera, Path path) {
+    return Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, camera.isFirst, vec3(1.0), path, vec3(0.0),
+                camera.start, camera.start, camera.start);
+}
+
+// A path into the domain, at the camera's start of it. `n` is the index at the eye, if that is within.
+Path enter(CameraRay camera, inout Load load, inout float n) {
+    Path path = pathFrom(camera.start, camera.direction, params.limits.x);
+    path.objects = objectsAt(camera.start, camera.direction, camera.within);
+    int region = regionOf(path.objects);
+    float entry = indexOf(region, camera.start);
+    if (camera.within) n = entry;
+    path.ray.w *= entry;
+    if (isOpaque(region)) path.status = kStopped; // cut open by the domain's face
+    return path;
+}
+
+#if DOMAINS == 1
+// A ray that comes from another domain. `steps` were made in this launch before, which tell when to rest.
+CameraRay arrive(int place, int steps, out Path path, out Load load, out float n) {
+    Departure arrival = departures[place];
+    atomicAdd(departed.y, 1u);
+    isFirst = (arrival.kind.z & kFirstBranch) != 0;
+    wasChanged = (arrival.kind.z & kChangedBranch) != 0;
+    lengthsBefore = arrival.lengths.xyz - vec3(0.0, 0.0, float(steps));
+    vec3 start = clampToDomain(arrival.place.xyz);
+    CameraRay camera = CameraRay(start, start, dvec3(start), arrival.direction.xyz, true,
+                                 arrival.direction.w == 0.0, isFirst);
+    begunAlong = camera.direction;
+    n = arrival.direction.w;
+    path = pathFrom(camera.start, camera.direction, params.limits.x);
+    load = loadFrom(camera, path);
+    path = enter(camera, load, n);
+    eyeIndex = n;
+    path.throughput = arrival.throughput.xyz;
+    path.depth = arrival.kind.y;
+    path.steps = steps;
+    path.mostSteps = steps + params.limits.x;
+    load.along = arrival.along.xyz;
+    return camera;
+}
+#endif
+
+// Where a pixel's ray begins: at its camera ray, or with a branch that waits.
+CameraRay begin(ivec2 pixel, int rested, bool resumes, out Path path, out Load load, out float n) {
+    CameraRay camera = cameraRayOf(pixel);
+    camera.isFirst = !resumes;
+    if (kGround && camera.hits && !camera.within && isAbove(camera.eye) != isAbove(camera.start)) {
+        camera.hits = false; // the ground is before the domain
+        camera.start = camera.eye;
+    }
+    n = outsideIndex(); // at the eye
+    path = pathFrom(camera.start, camera.direction, params.limits.x);
+    load = loadFrom(camera, path);
+    bool elsewhere = false; // it meets another domain first
+#if DOMAINS == 1
+    isFirst = !resumes;
+    begunAlong = camera.direction;
+    if (!resumes) {
+        Ahead ahead = nextDomain(camera.exact, dvec3(camera.direction));
+        float ground = kGround ? wayToGround(camera.eye, camera.direction) : -1.0;
+        bool before = ahead.domain >= 0 && !(ground >= 0.0 && ground < ahead.way) &&
+                      !(camera.hits && distance(camera.start, camera.eye) <= ahead.way);
+        if (before) {
+            elsewhere = depart(ahead, camera.direction, ahead.way == 0.0 ? 0.0 : n, vec3(1.0), vec3(1.0), 0,
+                               kFirstBranch, vec3(0.0));
+            camera.hits = false;
+            count(kRays, 1u);
+        }
+    }
+#endif
+    if (resumes) {
+        n = rests[rested].n;
+        fetchWaiting(rested);
+        follow(path, waiting[--waitingCount]);
+        camera.hits = true;
+    } else if (camera.hits) {
+        path = enter(camera, load, n);
+        count(kRays, 1u);
+    } else if (!elsewhere) {
+        seeBeyond(path, load, camera.direction);
+        if (kGround) load.firstPath = path;
+    }
+#if DOMAINS == 1
+    eyeIndex = n;
+#endif
+    return camera;
 }
 
 void main() {
@@ -282,65 +438,52 @@ void main() {
     }
     pixel.y += params.picture.z;
     pixelNow = pixel;
-
-    CameraRay camera = cameraRayOf(pixel);
-    if (kGround && camera.hits && !camera.within && isAbove(camera.eye) != isAbove(camera.start)) {
-        camera.hits = false; // the ground is before the domain
-        camera.start = camera.eye;
-    }
-    Path path = pathFrom(camera.start, camera.direction, params.limits.x);
-    Load load = Load(vec3(0.0), vec3(0.0), 0, 0.0, 0.0, false, !resumes, vec3(1.0), path, vec3(0.0),
-                     camera.start, camera.start, camera.start);
     vec3 white = vec3(1.0); // the share of white light that this ray sees
     if (kDisperses) white = takeLine(lineOf(pixel) + uint(params.ray.y));
-    float n = outsideIndex(); // at the eye
-    if (resumes) { // branches of a ray at rest
-        n = rests[rested].n;
-        fetchWaiting(rested);
-        follow(path, waiting[--waitingCount]);
-        camera.hits = true;
-    } else if (camera.hits) {
-        path.objects = objectsAt(camera.start, camera.direction, camera.within);
-        int region = regionOf(path.objects);
-        float entry = indexOf(region, camera.start);
-        if (camera.within) n = entry;
-        path.ray.w *= entry;
-        if (isOpaque(region)) { // cut open by the domain's face
-            path.status = kStopped;
-            landOn(region, 0.0, path, load, camera.start, faceNormal(camera.start), n);
+    bool arrives = false;
+    int place = -1;
+#if DOMAINS == 1
+    stripPixel = at;
+    arrives = domains.numbers.z == 1 && !resumes;
+    if (arrives) {
+        place = pending[at] - 1;
+        pending[at] = 0;
+        place = arrivalFrom(place, true);
+        if (place < 0) return;
+    }
+#endif
+
+    int steps = 0;
+    bool more = true;
+    while (more) {
+        CameraRay camera;
+        Path path;
+        Load load;
+        float n = 1.0;
+        int next = -1;
+#if DOMAINS == 1
+        if (arrives) {
+            next = departures[place].kind.w;
+            camera = arrive(place, steps, path, load, n);
+        } else
+#endif
+        camera = begin(pixel, rested, resumes, path, load, n);
+        if (camera.hits && !resumes && path.status == kStopped)
+            landOn(regionOf(path.objects), 0.0, path, load, camera.start, faceNormal(camera.start), n);
+        Seen seen = look(camera, path, load, n, at, steps);
+        if (kDisperses) seen.light *= white;
+        float coverage = seen.changed ? 1.0 : 0.0;
+        more = false;
+#if DOMAINS == 1
+        if (arrives) {
+            if (!isFirst || wasChanged) coverage = 0.0;
+            steps = path.steps;
+            place = arrivalFrom(next, restAt < 0);
+            more = place >= 0;
         }
-        count(kRays, 1u);
-    } else {
-        seeBeyond(path, load, camera.direction);
-        if (kGround) load.firstPath = path;
-    }
-    if (camera.hits) {
-        trace(path, load);
-        countPath(path, load);
-        if (restAt >= 0) rest(n, at);
-    }
-    vec3 light = (load.light + load.sky) * (n * n);
-    if (kDisperses) light *= white;
-    if (resumes) {
-        colours[at] += params.weight * vec4(light, 0.0);
-        return;
-    }
-    Path first = load.firstPath;
-    vec3 direction = normalize(first.ray.w);
-    vec3 turned = direction - camera.direction;
-    bool stopped = first.status == kStopped;
-    // Where no gradient acted the direction is the same but for rounding.
-    bool changed = load.interfaces > 0 || stopped || dot(turned, turned) > 1.0e-12 ||
-                   first.throughput != vec3(1.0) || load.light != vec3(0.0);
-    putColour(at, vec4(light, changed ? 1.0 : 0.0));
-    if (kAovs && params.pattern.z == 1.0) {
-        PixelPath found;
-        found.place = vec4(first.ray.x, first.lengths.x);
-        found.direction = vec4(direction, first.lengths.y);
-        found.through = vec4(stopped ? vec3(0.0) : first.throughput / load.along, float(first.steps));
-        float atExit = camera.hits ? indexOf(regionOf(first.objects), kGround ? load.left : first.ray.x) : 1.0;
-        vec2 outward = stopped ? octahedralOf(load.outward) : vec2(0.0);
-        found.error = vec4(abs(length(first.ray.w) - atExit), stopped ? 1.0 : 0.0, outward);
-        paths[at] = found;
+#endif
+        if (resumes) coverage = 0.0;
+        if (resumes || arrives) colours[at] += params.weight * vec4(seen.light, coverage);
+        else putColour(at, vec4(seen.light, coverage));
     }
 }

@@ -56,6 +56,27 @@ test_environments() {
     rm -f first.exr
 }
 
+test_places() {
+    local far="--place in.vdb:2.5,0,0"
+    expect 0 render in.vdb $view $far -o moved.exr --env env.exr
+    expect 0 render in.vdb $view --env env.exr -o plain.exr
+    idiff -q plain.exr moved.exr >/dev/null && fail "a volume that is moved is where it was"
+    # Where it is to be seen again, twice is not as once.
+    expect 0 render in.vdb $view $far --place in.vdb:0,0,0 -o both.exr --env env.exr --stats stats.json
+    idiff -q moved.exr both.exr >/dev/null && fail "two volumes look like one"
+    expect 0 render in.vdb $view --place in.vdb:0,0,0 --env env.exr -o same.exr
+    idiff -q plain.exr same.exr >/dev/null || fail "a volume moved by nothing is another"
+    local wrong
+    for wrong in in.vdb in.vdb:1,2 in.vdb:1,2,3:4 in.vdb:1,2,3:4,5,6:0 in.vdb:1,2,3:4,5,6:-1 :1,2; do
+        refuses 64 in.vdb $view -o out.exr --place "$wrong"
+        says "--place: found '$wrong'"
+    done
+    refuses 66 in.vdb $view -o out.exr --place nothing.vdb:1,0,0
+    refuses 65 in.vdb $view $far --place in.vdb:2,0,0 -o out.exr
+    says "its domain overlaps that of in.vdb"
+    rm -f moved.exr plain.exr both.exr same.exr stats.json
+}
+
 make_volume in.vdb size=16 voxel=0.1 ior sphere:0.5:1.5:1:all absorption sphere:0.5:1,2,3:0 ||
     exit 2
 oiiotool --pattern constant:color=0.5,0.4,0.3 32x16 3 -d float -o env.exr || exit 2

@@ -6,6 +6,7 @@
 #include "gpu/device.h"
 #include "image/exr.h"
 #include "image/picture.h"
+#include "render/places.h"
 #include "scene/effects.h"
 #include "view/view.h"
 
@@ -18,7 +19,7 @@ using namespace eikonal;
 namespace {
 
 struct Options {
-    std::vector<std::string> inputs;
+    std::vector<std::string> inputs, placed;
     std::string size, environment, aovs, light, tone = "clip";
     volume::GridNames names;
     view::Params params;
@@ -52,10 +53,19 @@ void addCamera(CLI::App& app, view::Camera& camera, std::string& size) {
 
 void addOptions(CLI::App& app, Options& o) {
     view::Params& p = o.params;
-    app.add_option("input", o.inputs,
-                   "scene volume, - is standard input; several add up their light")
+    app.add_option(
+           "input", o.inputs,
+           "scene volumes, - is standard input; of those on one transform the light adds up, "
+           "others have places of their own")
         ->type_name("IN.vdb")
         ->required();
+    app.add_option("--place", o.placed,
+                   "moves a volume and its light: shifted [unit], turned about X, Y, Z [degree], "
+                   "scaled; given "
+                   "again for the same one, it is there again")
+        ->type_name("FILE:TX,TY,TZ[:RX,RY,RZ[:S]]")
+        ->allow_extra_args(false)
+        ->group("Places");
     addCamera(app, p.camera, o.size);
     auto* environment =
         app.add_option("--env", o.environment,
@@ -191,7 +201,11 @@ void render(tool::Session& session, Options& o) {
     parseTexts(o);
     o.params.camera.parallel = session.app().count("--ortho") > 0;
     o.params.check();
+    std::vector<places::Place> moved;
+    for (const std::string& text : o.placed) moved.push_back(places::parse(text));
+    const std::vector<places::Place> placed = places::all(o.inputs, moved);
     std::vector<std::string> inputs = o.inputs;
+    for (const places::Place& place : moved) inputs.push_back(place.path);
     const image::PictureName environment = image::parsePictureName(o.environment);
     if (!o.environment.empty()) inputs.push_back(environment.path);
     if (!o.light.empty()) inputs.push_back(o.light);
@@ -201,38 +215,42 @@ void render(tool::Session& session, Options& o) {
     const size_t kFloats = 4 + 16 + 24 + 6;
     image::checkSize(o.params.camera.width, o.params.camera.rows, kFloats, "--size " + o.size);
 
-    std::optional<scene::Files> files;
-    std::optional<view::Plan> plan;
+    std::vector<scene::Files> files;
+    std::vector<view::Plan> plans;
     std::optional<image::Image> map;
     session.pass("read", [&] {
-        std::vector<volume::Volume> volumes;
-        for (const std::string& input : o.inputs)
-            volumes.push_back(volume::Volume::open(input, o.names));
         if (!o.environment.empty()) {
             image::Environment read = image::readEnvironment(environment);
             for (const std::string& warning : read.warnings) session.warn(warning);
             map = std::move(read.map);
         }
         if (!o.light.empty()) o.params.points = readPoints(o.light, o.params.camera);
-        files.emplace(std::move(volumes));
-        plan = view::makePlan(*files, o.params, map.has_value());
+        files = places::grouped(placed, o.names);
+        plans = view::makePlans(files, o.params, map.has_value());
     });
+    const view::Plan& plan = plans.front();
     if (session.explains()) {
-        session.explain(plan->effects, plan->warnings,
-                        {{"voxels", scene::sizeText(plan->scene)},
+        std::string sizes;
+        bool bends = false;
+        for (const view::Plan& one : plans) {
+            sizes += (sizes.empty() ? "" : ", ") + scene::sizeText(one.scene);
+            bends |= one.scene.index.varies();
+        }
+        session.explain(plan.effects, plan.warnings,
+                        {{"voxels", sizes},
                          {"picture", o.size},
-                         {"tracing", plan->scene.index.varies() ? o.params.text() : "straight"}});
+                         {"tracing", bends ? o.params.text() : "straight"}});
         return;
     }
-    session.stats().effects = plan->effects;
-    for (const std::string& warning : plan->warnings) session.warn(warning);
+    session.stats().effects = plan.effects;
+    for (const std::string& warning : plan.warnings) session.warn(warning);
     session.outputs();
     const image::Image picture =
-        view::render(session.device(), *plan, o.params, map, session.stats(), session.progress());
+        view::render(session.device(), plans, o.params, map, session.stats(), session.progress());
     o.tracing->warnOf(session, "rays");
     tool::warnOfDropped(
         session, {{"light_dropped_by_depth", "--max-depth"}, {"light_dropped_as_dim", "--cutoff"}});
-    session.pass("write", [&] { writePictures(session, o, *files, picture); });
+    session.pass("write", [&] { writePictures(session, o, files.front(), picture); });
 }
 
 } // namespace
