@@ -11,3 +11,5 @@ eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_
                                      ${CMAKE_BINARY_DIR})
 eikonal_run(render_files COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_files_test.sh
                                  ${CMAKE_BINARY_DIR})
+eikonal_run(ground_files COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/ground_test.sh
+                                 ${CMAKE_BINARY_DIR})

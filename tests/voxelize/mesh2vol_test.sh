@@ -158,6 +158,29 @@ test_open_sheets() {
     says "box.obj: is closed: --fill-below does nothing"
 }
 
+test_ground() {
+    rejects --ground x 0: 0:2 0:1,1 0:0.5:checker 0:0.5:checker=1 "0:0.5:checker 0" \
+        "0:0.5:checker 1:1" nan 1e13
+    rejects --ground-margin -1 nan x
+    refuses 64 box.obj $small -o out.vdb --ground-margin 1
+    says "--ground-margin: given without --ground"
+    refuses 64 box.obj $small -o out.vdb --ground 0 --boundary blurred
+    says "--ground: given with --boundary blurred"
+    refuses 64 box.obj $small -o out.vdb --ground 1e3
+    says "--ground: found Y 1000, expected below the objects' top"
+    refuses 64 box.obj --ior 1.5 --resolution 24 --padding 2 -o out.vdb --ground=-0.5
+    says "--ground: .* voxels above the low face of a domain .*--padding"
+    refuses 64 box.obj --ior 1.5 --bounds=-1,-1,-1,2,2,2 -o out.vdb --ground 0 --ground-margin 1
+    says "--ground-margin: given with --bounds"
+    refuses 64 box.obj $small -o out.vdb --ground=-0.5 --name ground
+    says "--name: found 'ground' for two objects"
+    makes ground.vdb box.obj --ior 1.5 --resolution 24 --ground=-0.5 --ground-margin 0.5
+    has_grids ground.vdb albedo albedo.ground ior ior.box ior.ground opacity opacity.ground \
+        sdf.box sdf.ground
+    # Down to the ground and to the sides as told, whatever is on it; and by default.
+    lines_of ground.vdb 1 'eikonal:ground: -0.5 0.5,0.5,0.5 0$'
+}
+
 test_no_memory_no_device() {
     # Less than a process may have.
     expect 71 bash -c 'ulimit -v 6000000; exec "$0" "$@"' mesh2vol box.obj --ior 1.5 \
