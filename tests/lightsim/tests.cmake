@@ -17,7 +17,10 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "BouncesTruth.AWallOfOne*" "BouncesTruth.AHollowBall*"
                                           "LightFronts.ASharpBalls*" "LightFronts.ABlurredBalls*"
                                           "LightFronts.ASecondRun*" "LightFronts.Surfaces*"
-                                          "LightFronts.AnOpaque*" "LightPoints.GetWhat*")
+                                          "LightFronts.AnOpaque*" "LightPoints.GetWhat*"
+                                          "LightDispersion.PhotonsOf*" "LightDispersion.LinesLand*"
+                                          "LightMetal.ACylinders*" "LightRough.ARough*"
+                                          "LightRough.PhotonsTake*" "LightCoat.ItsBases*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})

@@ -154,7 +154,7 @@ test_bad_input() {
     says cut.exr
     make_volume moved.vdb size=16 voxel=0.1 centre=0.05,0,0 fluence constant:1 || fail make_volume
     refuses 65 in.vdb moved.vdb $view -o out.exr
-    says 'transform'
+    says 'moved.vdb: its domain overlaps that of in.vdb'
 }
 
 test_values_out_of_range() {

@@ -2,7 +2,8 @@ eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/cur
              view/sharp_test.cpp view/length_test.cpp view/kink_test.cpp view/pattern_test.cpp
              view/samples_test.cpp view/points_test.cpp view/dispersion_test.cpp view/rough_test.cpp view/coat_test.cpp
              view/ground_test.cpp view/domains_test.cpp LIBRARIES judge test_support
-             LONG "LinearSamples.AreNoWorseThanPlainOnesAtEdges*" "ViewKink.*" "ViewGround.Meets*" "Domains.RaysGo*" "Domains.WhatIs*" "Domains.AnEye*")
+             LONG "LinearSamples.AreNoWorseThanPlainOnesAtEdges*" "ViewKink.*" "ViewGround.Meets*" "Domains.RaysGo*" "Domains.WhatIs*" "Domains.AnEye*"
+             "RoughView.Samples*")
 
 # The structs that shaders and C++ share are from there.
 target_include_directories(test_view SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
