@@ -236,7 +236,7 @@ void main() {
         } else
 #endif
         camera = begin(pixel, rested, resumes, path, load, n);
-        if (camera.hits && !resumes && path.status == kStopped)
+        if (kOpaqueObjects && camera.hits && !resumes && path.status == kStopped)
             landOn(regionOf(path.objects), 0.0, path, load, camera.start, faceNormal(camera.start), n);
         Seen seen = look(camera, path, load, n, at, steps);
         if (kDisperses) seen.light *= white;
