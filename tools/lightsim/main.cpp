@@ -83,13 +83,6 @@ bool recordsLights(const volume::Volume& volume, const lightsim::Plan& plan) {
     return plan.wants(lightsim::Output::irradiance) && volume::groundOf(volume).has_value();
 }
 
-/// For --explain.
-std::string groundText(const volume::Volume& volume, const lightsim::Plan& plan) {
-    return recordsLights(volume, plan) ? "the lights are recorded for what lies beyond the domain"
-           : volume::groundOf(volume)  ? "no light on surfaces: no lights are recorded"
-                                       : "none";
-}
-
 /// A line a light.
 void recordLights(volume::Volume& volume, const std::vector<lightsim::Light>& lights) {
     std::vector<std::string> lines;
@@ -180,6 +173,7 @@ void simulate(tool::Session& session, Options& o) {
     session.pass("read", [&] {
         readEnvironments(session, o);
         volume.emplace(volume::Volume::open(o.input, o.names));
+        volume::groundOf(*volume); // refused, if it is, before the work
         if (proxy) o.params.proxy = curvedProxy(*proxy, volume->frame().voxelSize, o);
         if (!o.points.empty()) {
             points = picture_points::read(o.points);
@@ -188,13 +182,15 @@ void simulate(tool::Session& session, Options& o) {
         plan = lightsim::makePlan(*volume, o.params);
     });
     if (session.explains()) {
-        session.explain(plan->effects, plan->warnings,
-                        {{"voxels", scene::sizeText(plan->scene)},
-                         {"lights", std::to_string(o.params.lights.size())},
-                         {"ground", groundText(*volume, *plan)},
-                         {"photons", o.photons == "auto" ? "auto: 36 a voxel that the light sees"
-                                                         : o.photons + " per light at most"},
-                         {"tracing", plan->bends ? o.params.tracing.text() : "straight"}});
+        std::vector<std::pair<std::string, std::string>> facts{
+            {"voxels", scene::sizeText(plan->scene)},
+            {"lights", std::to_string(o.params.lights.size())},
+            {"photons", o.photons == "auto" ? "auto: 36 a voxel that the light sees"
+                                            : o.photons + " per light at most"},
+            {"tracing", plan->bends ? o.params.tracing.text() : "straight"}};
+        if (recordsLights(*volume, *plan))
+            facts.emplace_back("ground", "the lights are recorded for what lies beyond the domain");
+        session.explain(plan->effects, plan->warnings, facts);
         return;
     }
     session.stats().effects = plan->effects;
