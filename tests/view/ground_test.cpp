@@ -201,6 +201,25 @@ TEST(ViewGround, SquaresGoOnFromTheDomain) {
         }
 }
 
+TEST(ViewGround, HasLightThatIsGivenForPointsWithinTheDomainAlone) {
+    GroundStage stage;
+    stage.placed = glm::translate(glm::dmat4(1), dvec3(-5, -4, -7));
+    stage.ground = {0, dvec3(0.5), 0};
+    Params params = parallel({0, 20, 0}, {0, 0, 0}, 32, {32, 32}, {0, 0, -1});
+    const Look bare(stage.make("upward:1,1,1"), params);
+    params.points = {32, 32, {}, std::vector<bool>(32 * 32, true), {}};
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) params.points.places.push_back(bare.position(x, y));
+    params.points.lights.assign(32 * 32, glm::vec3(2));
+    const Look look(stage.make("upward:1,1,1"), params);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+            // From a voxel within the sides on, which are at -5 and 11 and at -7 and 9.
+            const double off = std::max(std::abs(x - 15.5 - 3), std::abs(y - 15.5 - 1));
+            expectNear(look.colour(x, y), dvec3((off < 7 ? 2 : 1) * 0.5 / kPi), 1e-5);
+        }
+}
+
 // A ball of glass over a checker, lit evenly, under an even sky. The judge knows the ball alone:
 // its rays go on to the plane or the sky. Where the plane is within the domain no light is stored,
 // and it is black.

@@ -173,6 +173,7 @@ void simulate(tool::Session& session, Options& o) {
     session.pass("read", [&] {
         readEnvironments(session, o);
         volume.emplace(volume::Volume::open(o.input, o.names));
+        volume::groundOf(*volume); // refused, if it is, before the work
         if (proxy) o.params.proxy = curvedProxy(*proxy, volume->frame().voxelSize, o);
         if (!o.points.empty()) {
             points = picture_points::read(o.points);
