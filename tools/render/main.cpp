@@ -151,7 +151,7 @@ void writePictures(tool::Session& session, const Options& o, const scene::Files&
     attributes.strings = {{"eikonal:tool", history.tool},
                           {"eikonal:version", history.version},
                           {"eikonal:command", appendHistory(files.history(), history.command)}};
-    view::describeCamera(o.params.camera, attributes);
+    camera::describeCamera(o.params.camera, attributes);
     for (const auto& out : session.outputs()) {
         if (image::isDisplayPicture(out->path()))
             image::writePicture(picture, *out, o.toneMap);
