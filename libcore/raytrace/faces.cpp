@@ -17,24 +17,23 @@ namespace {
 
 using glm::dvec3;
 
-/// Where a ray meets a triangle's plane; nothing where that is not ahead.
-std::optional<double> meets(const mesh::TriangleMesh& mesh, std::uint32_t triangle,
-                            const dvec3& origin, const dvec3& direction) {
+/// A ray and a triangle's plane.
+struct Meeting {
+    double t;         ///< where they meet [unit]; not finite where the ray runs along the plane
+    bool fromOutside; ///< the ray comes from the triangle's outer side
+};
+Meeting meetingOf(const mesh::TriangleMesh& mesh, std::uint32_t triangle, const dvec3& origin,
+                  const dvec3& direction) {
     const glm::uvec3& face = mesh.triangles[triangle];
     const dvec3 a = mesh.points[face.x];
     const dvec3 area = glm::cross(mesh.points[face.y] - a, mesh.points[face.z] - a);
     const double across = glm::dot(direction, area);
-    const double t = glm::dot(a - origin, area) / across;
-    return t > 0 && std::isfinite(t) ? std::optional(t) : std::nullopt;
+    return {glm::dot(a - origin, area) / across, across < 0};
 }
 
-/// Whether a ray that meets the triangle comes from its outer side.
-bool comesFromOutside(const mesh::TriangleMesh& mesh, std::uint32_t triangle,
-                      const dvec3& direction) {
-    const glm::uvec3& face = mesh.triangles[triangle];
-    const dvec3 a = mesh.points[face.x];
-    return glm::dot(direction, glm::cross(mesh.points[face.y] - a, mesh.points[face.z] - a)) < 0;
-}
+// What is as near to a ray's start as single precision tells apart, and as double does, both as
+// shares of the scene's radius.
+constexpr double kNear = 1e-6, kSame = 1e-10;
 
 } // namespace
 
@@ -66,14 +65,27 @@ struct Faces::Question {
     const Counts* counts = nullptr;
     std::vector<int>* windings = nullptr; ///< to count all in, and stop at none
 
+    /// Whether the ray meets a triangle that single precision says it does.
     bool accepts(const Face& face) {
-        const mesh::TriangleMesh& mesh = faces->mesh(face);
-        if (face == from || !meets(mesh, face.triangle, origin, direction)) return false;
+        if (face == from) return false;
+        const Meeting met = meetingOf(faces->mesh(face), face.triangle, origin, direction);
+        if (!std::isfinite(met.t) || !isAhead(face, met)) return false;
         if (windings) {
-            (*windings)[face.mesh] += comesFromOutside(mesh, face.triangle, direction) ? -1 : 1;
+            (*windings)[face.mesh] += met.fromOutside ? -1 : 1;
             return false;
         }
         return !counts || (*counts)(face);
+    }
+
+    /// Close to a ray's start lie the neighbours of the triangle that it starts on. One that it
+    /// passes the same way was passed along with that: both are the surface's one crossing. One
+    /// that it passes the other way, as at a corner, may be at the very start.
+    bool isAhead(const Face& face, const Meeting& met) const {
+        if (from.triangle == Face::kNone || from.mesh != face.mesh ||
+            met.t > kNear * faces->mRadius)
+            return met.t > 0;
+        const Meeting start = meetingOf(faces->mesh(from), from.triangle, origin, direction);
+        return met.fromOutside != start.fromOutside && met.t > -kSame * faces->mRadius;
     }
 
     static void filter(const RTCFilterFunctionNArguments* arguments) {
@@ -160,8 +172,7 @@ std::optional<Faces::Hit> Faces::ask(Question& question) const {
     rtcIntersect1(mEmbree->scene, &question.context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const Face face{ray.hit.geomID, ray.hit.primID};
-    const auto t = meets(mesh(face), face.triangle, question.origin, question.direction);
-    return Hit{face, *t};
+    return Hit{face, meetingOf(mesh(face), face.triangle, question.origin, question.direction).t};
 }
 
 std::optional<Faces::Hit> Faces::next(const dvec3& origin, const dvec3& direction,

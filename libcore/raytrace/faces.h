@@ -28,7 +28,9 @@ struct Face {
 /// it proposes is decided in double, on the triangles as they are: a ray meets a triangle's plane
 /// ahead of its origin or not at all. So a ray that starts on a triangle, where double arithmetic
 /// has put it, meets that one never again (it is named) and its neighbours only where they lie
-/// ahead, and needs no offset from the surface.
+/// ahead, and needs no offset from the surface. What is met within a millionth of the scene's
+/// radius counts only if the ray passes it the other way than the triangle it starts on: what is
+/// left would be a second crossing of one surface.
 class Faces {
 public:
     /// Throws MemoryError where Embree gets no memory, InternalError for other faults of it.

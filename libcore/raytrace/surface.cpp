@@ -12,9 +12,9 @@ namespace {
 
 using glm::dvec3;
 
-// Grazing: the sine of the angle to the surface at which directions are kept, above what rounding
-// makes of 0.
-constexpr double kGrazing = 1e-9;
+// Sines of angles to a surface. Rays graze a smooth one at what is above rounding; within a body
+// they leave a flat one so steeply that single precision still finds the next face at the edge.
+constexpr double kGrazing = 1e-9, kLeast = 1e-3;
 
 } // namespace
 
@@ -50,8 +50,8 @@ dvec3 facingNormal(const dvec3& smooth, const dvec3& face, const dvec3& directio
 
 dvec3 keptWithin(const dvec3& direction, const dvec3& inward) {
     const double across = glm::dot(direction, inward);
-    if (across > kGrazing) return direction;
-    return glm::normalize(direction + (kGrazing - across) * inward);
+    if (across > kLeast) return direction;
+    return glm::normalize(direction + (kLeast - across) * inward);
 }
 
 } // namespace eikonal::raytrace

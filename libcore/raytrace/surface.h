@@ -27,8 +27,9 @@ glm::dvec3 facingNormal(const glm::dvec3& smooth, const glm::dvec3& face,
                         const glm::dvec3& direction);
 
 /// A direction within a body, of length 1, that leaves its boundary into it: one that the smooth
-/// normal sends out through the flat face is turned into the face's plane, or the path would be
-/// outside the body that it is thought to be in. `inward` is the face's normal.
+/// normal sends out through the flat face, or along it, is turned to 0.06° within the face's plane,
+/// or the path would be outside the body that it is thought to be in. `inward` is the face's
+/// normal.
 glm::dvec3 keptWithin(const glm::dvec3& direction, const glm::dvec3& inward);
 
 } // namespace eikonal::raytrace
