@@ -84,7 +84,8 @@ struct Renderer::Impl {
     gpu::Program surface, range, refract;
     gpu::Layers fronts, backs, distances;
     gpu::Canvas canvas;
-    gpu::Buffer block, colours, paths, depthRange;
+    gpu::Texture colours;
+    gpu::Buffer block, paths, depthRange;
     std::optional<image::Image> around;
     Geometry geometry, plateGeometry;
     gpu::Triangles triangles, plateTriangles;
@@ -102,7 +103,8 @@ struct Renderer::Impl {
         canvas = gpu::Canvas(device, camera.width, camera.rows);
         block = gpu::Buffer(device, sizeof values);
         const std::int64_t pixels = std::int64_t{camera.width} * camera.rows;
-        colours = gpu::Buffer(device, pixels * 16);
+        colours =
+            gpu::Texture(device, {camera.width, camera.rows, 0}, kFormat, gpu::Filter::nearest);
         const auto path = static_cast<std::int64_t>(sizeof(SurfacePath));
         paths = gpu::Buffer(device, wantsPaths(params) ? pixels * path : path);
         setValues();
@@ -146,7 +148,7 @@ struct Renderer::Impl {
     void requireFit(bool plates) const {
         const int width = params.camera.width, rows = params.camera.rows;
         const std::int64_t pixels = std::int64_t{width} * rows;
-        std::vector<gpu::Need> needs{{"the picture", pixels * 16, true, 0, std::max(width, rows)}};
+        std::vector<gpu::Need> needs{{"the picture", pixels * 16, false, 0, std::max(width, rows)}};
         if (params.layers > 0)
             for (const gpu::Need& need : Follower::needs(params, plates)) needs.push_back(need);
         else
@@ -221,7 +223,7 @@ struct Renderer::Impl {
 
     void bindPicture() {
         if (map.name() != 0) map.bindSampler(kEnvironmentUnit);
-        colours.bindStorage(kColoursBuffer);
+        colours.bindImage(kColoursImage);
         paths.bindStorage(kPixelPathsBuffer);
     }
 
@@ -250,7 +252,7 @@ struct Renderer::Impl {
         if (params.method != Method::sir) backs.bindSampler(kBacksUnit);
         if (params.method == Method::isr) distances.bindSampler(kDistancesUnit2d);
         depthRange.bindStorage(kDepthRangeBuffer);
-        gpu::drawOverall(refract, params.camera.width, params.camera.rows);
+        gpu::addOverall(refract, colours);
         gpu::barrier();
         profiler.end();
     }
@@ -303,6 +305,7 @@ image::Image Renderer::render(const Progress& progress) {
         my.values.clipFromCamera = clipFromCamera(camera, depths, places[k]);
         my.values.pattern = vec4(places[k], 1.0 / my.params.samples, 0);
         my.values.picture.z = static_cast<int>(k);
+        if (k == 0) my.colours.clear();
         if (my.follower)
             my.drawPaths();
         else

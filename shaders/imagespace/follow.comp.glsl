@@ -22,11 +22,12 @@ layout(binding = kFrontsUnit) uniform sampler2DArray fronts;
 layout(binding = kPlatesUnit) uniform sampler2DArray plates;
 layout(binding = kAlbedosUnit) uniform sampler2DArray albedos;
 #endif
+layout(rgba32f, binding = kColoursImage) uniform image2D colours;
 layout(std430, binding = kCountersBuffer) buffer Counters { uint lost; }; // rays' first branches, within the body
 
 #include "camera/environment.glsl"
 #include "imagespace/view.glsl"
-#include "imagespace/record.glsl"
+#include "imagespace/paths.glsl"
 #include "imagespace/march.glsl"
 
 struct Branch {
@@ -138,5 +139,7 @@ void main() {
         }
         if (first) probes += hit.probes;
     }
-    record(pixel, light, changed, path);
+    vec4 colour = params.pattern.z * vec4(light, changed ? 1.0 : 0.0);
+    imageStore(colours, pixel, params.picture.z == 0 ? colour : imageLoad(colours, pixel) + colour);
+    recordPath(pixel, path);
 }
