@@ -107,11 +107,14 @@ BrickGrid Resampler::distances(const Object& object, bool goesOn) const {
     const ivec3 size = grid.size;
     const bool cut = !goesOn && isCut(object);
     const auto band = std::min(object.band * static_cast<float>(mScale), kMade);
+    const auto far = band / static_cast<float>(mScale) + 1; // [its voxel]
     // The object is within its domain, so that what is beyond is no nearer than by Pythagoras.
     const auto distanceAt = [&](const ivec3& voxel) {
         const dvec3 place = placeOf(dvec3(voxel));
         const dvec3 within = glm::clamp(place, dvec3(0), dvec3(size - 1));
-        double distance = double{cubicAt(grid, within)};
+        // Distances differ by no more than places do: most are beyond the band.
+        const float nearest = grid.at(ivec3(glm::round(within)));
+        double distance = std::abs(nearest) > far ? double{nearest} : double{cubicAt(grid, within)};
         const double beyond = glm::length(place - within);
         if (cut)
             distance = std::max(distance, wayOut(place, size));
