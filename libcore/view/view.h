@@ -63,7 +63,4 @@ image::Image render(gpu::Device& device, const std::vector<Plan>& plans, const P
 image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
 
-/// The camera's matrices in OpenEXR's spaces.
-void describeCamera(const Camera& camera, image::ImageAttributes& attributes);
-
 } // namespace eikonal::view
