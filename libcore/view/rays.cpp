@@ -231,7 +231,7 @@ void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights
     // isAtSide() of shaders/view/ground.glsl.
     const auto isKnown = [&](const dvec3& place) {
         return !plan.ground ||
-               place == glm::clamp(place, dvec3(0.5), dvec3(plan.scene.size()) - 1.5);
+               place == glm::clamp(place, plan.ground->low + 1.0, plan.ground->high - 1.0);
     };
     for (size_t i = 0; i < places.size(); ++i) {
         const dvec3 place(voxelFromWorld * glm::dvec4(points.places[i], 1.0));
