@@ -219,7 +219,7 @@ Renderer::Renderer(gpu::Device& device, const Params& params,
 
 Renderer::~Renderer() = default;
 
-void Renderer::setBody(const Body& body) {
+void Renderer::setScene(const Body& body, const std::vector<Plate>&) {
     Impl& my = *mImpl;
     if (my.params.method == Method::isr && body.distances.size() != body.mesh.points.size())
         throw InternalError("isr: not a distance for each point");
@@ -231,7 +231,7 @@ void Renderer::setBody(const Body& body) {
     my.profiler.end();
 }
 
-image::Image Renderer::render() {
+image::Image Renderer::render(const Progress& progress) {
     Impl& my = *mImpl;
     const camera::Camera& camera = my.params.camera;
     const Geometry* const all[] = {&my.geometry};
@@ -246,6 +246,7 @@ image::Image Renderer::render() {
         if (my.params.method != Method::sir) my.drawBacks();
         my.drawFronts();
         my.drawRays();
+        report(progress, static_cast<double>(k + 1) / my.params.samples);
     }
     image::Image picture = my.picture();
     my.device.check("refraction in image space");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/progress.h"
 #include "base/stats.h"
 #include "gpu/device.h"
 #include "image/image.h"
@@ -32,13 +33,13 @@ public:
              Stats& stats);
     ~Renderer();
 
-    /// Takes a body's triangles in place of those before. isr takes Body::distances, one for each
-    /// point.
-    void setBody(const Body& body);
+    /// Takes these triangles in place of those before. isr takes Body::distances, one for each
+    /// point; plates are seen with layers alone.
+    void setScene(const Body& body, const std::vector<Plate>& plates);
 
     /// Radiance [W/(m² sr)], premultiplied R G B A, AR AG AB where the body is coloured, and the
     /// AOVs asked for. Adds passes and counters to the statistics.
-    image::Image render();
+    image::Image render(const Progress& progress);
 
 private:
     struct Impl;

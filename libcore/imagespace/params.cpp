@@ -18,6 +18,11 @@ void Params::check() const {
                   "a coefficient below 0", "0 or more");
     requireOption(searchSteps >= 1 && searchSteps <= kMostSearchSteps, "--search-steps",
                   std::to_string(searchSteps), "1 to " + std::to_string(kMostSearchSteps));
+    requireOption(layers >= 0 && layers <= kMostLayers, "--layers", std::to_string(layers),
+                  "0 to " + std::to_string(kMostLayers));
+    requireOption(maxDepth >= 1 && maxDepth <= 64, "--max-depth", std::to_string(maxDepth),
+                  "1 to 64");
+    requireOption(cutoff >= 0 && cutoff < 1, "--cutoff", toText(cutoff), "0 or more, below 1");
     requireOption(samples >= 1 && samples <= 4096, "--samples", std::to_string(samples),
                   "1 to 4096");
     for (const std::string& name : aovs) {
