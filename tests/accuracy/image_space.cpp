@@ -21,10 +21,12 @@ constexpr double kIndex = 1.5;
 struct Way {
     const char* name;
     imagespace::Method method;
+    int layers;
 };
-const Way kWays[] = {{"dir", imagespace::Method::dir},
-                     {"isr", imagespace::Method::isr},
-                     {"sir", imagespace::Method::sir}};
+const Way kWays[] = {{"dir", imagespace::Method::dir, 0},
+                     {"dir, 4 layers", imagespace::Method::dir, 4},
+                     {"isr", imagespace::Method::isr, 0},
+                     {"sir", imagespace::Method::sir, 0}};
 
 camera::Camera cameraOf(const mesh::SampleBody& body, const Bench& bench) {
     camera::Camera camera;
@@ -101,7 +103,7 @@ double msOf(imagespace::Renderer& renderer) {
     std::vector<double> times;
     for (int i = 0; i < 5; ++i) {
         const auto began = std::chrono::steady_clock::now();
-        renderer.render();
+        renderer.render({});
         times.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began)
                 .count());
@@ -113,6 +115,7 @@ Json measure(Bench& bench, const mesh::SampleBody& body, const Way& way) {
     imagespace::Params params;
     params.camera = cameraOf(body, bench);
     params.method = way.method;
+    params.layers = way.layers;
     params.ior = kIndex;
     imagespace::Body shape{body.mesh, {}};
     if (way.method == imagespace::Method::isr)
@@ -121,13 +124,13 @@ Json measure(Bench& bench, const mesh::SampleBody& body, const Way& way) {
     Json row;
     {
         imagespace::Renderer renderer(bench.device, params, std::nullopt, stats);
-        renderer.setBody(shape);
+        renderer.setScene(shape, {});
         row["ms"] = msOf(renderer);
     }
     params.aovs = {"exit_direction"};
     imagespace::Renderer renderer(bench.device, params, std::nullopt, stats);
-    renderer.setBody(shape);
-    const std::vector<dvec3> exits = exitsOf(renderer.render());
+    renderer.setScene(shape, {});
+    const std::vector<dvec3> exits = exitsOf(renderer.render({}));
     const Truth& truth = truthOf(body, bench);
     Angles all, twice, more;
     for (size_t i = 0; i < exits.size(); ++i) {
