@@ -151,6 +151,8 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
 }
 
 void Canvas::begin(const std::vector<Target>& targets, bool furthest) {
+    // A shader may read other layers of its targets.
+    glTextureBarrier();
     std::vector<GLenum> attachments;
     for (const Target& target : targets) {
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size());

@@ -87,7 +87,7 @@ void addOptions(CLI::App& app, Options& o) {
            "input", o.inputs,
            "scene volumes, - is standard input; of those on one transform the light adds up, "
            "others have places of their own. Or meshes, together one body, for the other methods")
-        ->type_name("IN")
+        ->type_name("IN.vdb|MESH")
         ->required();
     app.add_option("--place", o.placed,
                    "moves a volume and its light: shifted [unit], turned about X, Y, Z [degree], "
