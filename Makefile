@@ -62,8 +62,9 @@ bench: packages
 	$(MAKE) all
 	cmake --build $(BUILD) -j $(JOBS) --target bench
 	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
+	$(MAKE) -f pipelines/models.mk
 	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench \
-	  --bunny data/bunny.off
+	  --bunny data/bunny.off --meshes data
 
 # What every knob that trades accuracy for time costs and gives: docs/accuracy.md and its plots.
 # ACCURACY=quick takes minutes, full most of an hour; stopped, it goes on where it was.
