@@ -115,11 +115,14 @@ void main() {
     if (hit && METHOD == kDir) found = search(start, direction, own);
     if (hit && METHOD == kIsr) found = guess(start, direction, view, front.xyz, own);
     float level = METHOD == kSir ? 0.0 : levelOf(found.texel, start, front.xyz);
-    vec3 light = vec3(0.0);
     SurfacePath path = freePath(pointAt(vec2(pixel), 0.0), view);
+    vec3 leaves = view;
+    vec3 kept = vec3(1.0);
+    float reflected = 0.0;
     if (hit) {
-        vec3 leaves = direction;
-        float through = 1.0 - first.reflectance;
+        leaves = direction;
+        reflected = first.reflectance;
+        float through = 1.0 - reflected;
         if (METHOD != kSir) {
             vec3 normal = textureLod(backs, vec3(found.texel / vec2(params.picture.xy), 0.0), level).xyz;
             if (dot(normal, normal) < 1.0e-6) normal = direction;
@@ -127,18 +130,19 @@ void main() {
             leaves = normalize(second.refracted);
             through *= 1.0 - (second.reflectance < 1.0 ? second.reflectance : 0.0);
         }
-        if (first.reflectance == 1.0) { // into a lower index, past the critical angle
+        if (reflected == 1.0) { // into a lower index, past the critical angle
             leaves = normalize(first.reflected);
             through = 1.0;
             found.x = start;
         }
         float extent = length(found.x - start);
-        vec3 kept = exp(-params.absorption.xyz * extent);
-        light = first.reflectance * surroundingsLight(normalize(first.reflected)) +
-                (1.0 - first.reflectance) * kept * surroundingsLight(leaves);
+        kept = exp(-params.absorption.xyz * extent);
         path = SurfacePath(vec4(found.x, n * extent), vec4(leaves, extent), vec4(through * kept, float(found.probes)),
                            vec4(0.0, 0.0, 0.0, 1.0));
-    } else light = surroundingsLight(view);
+    }
+    // One look-up for all pixels, and another for those that reflect.
+    vec3 light = (1.0 - reflected) * kept * surroundingsLight(leaves);
+    if (hit) light += reflected * surroundingsLight(normalize(first.reflected));
     colour = params.pattern.z * vec4(light, hit ? 1.0 : 0.0);
     recordPath(pixel, path);
 }
