@@ -1,0 +1,3 @@
+# Media within media: each stage in its turn, against closed forms and small computations of their own.
+eikonal_test(test_embedded SOURCES embedded/stage.cpp embedded/stack.cpp embedded/insect_test.cpp
+             LIBRARIES test_support)
