@@ -1,3 +1,3 @@
 # Media within media: each stage in its turn, against closed forms and small computations of their own.
-eikonal_test(test_embedded SOURCES embedded/stage.cpp embedded/stack.cpp embedded/insect_test.cpp
+eikonal_test(test_embedded SOURCES embedded/stage.cpp embedded/stack.cpp embedded/insect_test.cpp embedded/cavity_test.cpp
              LIBRARIES test_support)
