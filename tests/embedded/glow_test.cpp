@@ -41,9 +41,9 @@ dvec3 seenOf(Boundary boundary, const std::vector<Layer>& layers, double sine) {
 }
 
 /// Sharp: floats, and distances to a ball's facets. Blurred: coefficients are taken in the middles
-/// of steps, which is a tenth of a voxel's change where they jump by up to 1.7 a unit.
+/// of steps: a fifth of a voxel's change where they jump by up to 1.7 a unit.
 dvec3 shareOf(Boundary boundary) {
-    return dvec3(boundary == Boundary::sharp ? 3e-4 : 0.02);
+    return dvec3(boundary == Boundary::sharp ? 3e-4 : 0.03);
 }
 
 } // namespace
