@@ -31,6 +31,7 @@ public:
     void copyFrom(const Buffer& other, std::int64_t bytes);
     void bindStorage(unsigned binding) const;
     void bindUniform(unsigned binding) const;
+    unsigned name() const { return mName; }
     std::int64_t bytes() const { return mBytes; }
 
 private:

@@ -7,6 +7,6 @@ add_custom_command(OUTPUT ${shader_table}
             -P ${PROJECT_SOURCE_DIR}/cmake/embed_shaders.cmake
     DEPENDS ${shader_files} ${PROJECT_SOURCE_DIR}/cmake/embed_shaders.cmake VERBATIM)
 
-eikonal_room(gpu SOURCES device.cpp program.cpp resources.cpp
+eikonal_room(gpu SOURCES device.cpp program.cpp raster.cpp resources.cpp
              LIBRARIES PkgConfig::EPOXY PkgConfig::EGL)
 target_sources(room_gpu PRIVATE ${shader_table})

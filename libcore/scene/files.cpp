@@ -38,6 +38,7 @@ Files::Files(const volume::Volume& volume)
     : mAll{&volume}, mDomain(volume.domain()), mFrame(volume.frame()) {}
 
 void Files::place(const glm::dmat4& worldFromFile) {
+    mMoved |= worldFromFile != glm::dmat4(1);
     mFrame.worldFromIndex = worldFromFile * mFrame.worldFromIndex;
     const double scale = glm::length(glm::dvec3(worldFromFile[0]));
     mFrame.voxelSize *= scale;

@@ -22,6 +22,7 @@ public:
     const volume::Frame& frame() const { return mFrame; }
     /// Moves the scene, its light with it: `worldFromFile` turns, shifts and scales evenly.
     void place(const glm::dmat4& worldFromFile);
+    bool isMoved() const { return mMoved; }
     /// How it has been turned so.
     const glm::dmat3& turn() const { return mTurn; }
     /// Leaves out what is beyond a part of the domain.
@@ -45,6 +46,7 @@ private:
     volume::IndexBox mDomain;
     volume::Frame mFrame;
     glm::dmat3 mTurn{1};
+    bool mMoved = false;
 };
 
 /// Whether two volumes' voxels lie on one lattice.

@@ -18,7 +18,12 @@ std::optional<Ground> readGround(const Files& files, const Scene& scene) {
         if (!ground) ground = Ground{*plane, {}};
     }
     if (!ground) return ground;
+    if (files.isMoved())
+        throw DataError(files.path() + ": has a ground, " + volume::textOf(ground->plane) +
+                        ", and is moved, expected what has a ground to stay where it is");
     ground->lights = recordedLights(files);
+    ground->low = glm::dvec3(-0.5);
+    ground->high = glm::dvec3(scene.size()) - 0.5;
     for (size_t k = 0; k < scene.objects.size(); ++k)
         if (scene.regions[k].name == volume::kGround) ground->region = static_cast<int>(k);
     return ground;

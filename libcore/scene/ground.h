@@ -13,7 +13,8 @@ namespace eikonal::scene {
 struct Ground {
     volume::Ground plane;
     RecordedLights lights;
-    int region = -1; ///< that it is within the domain; −1: none
+    int region = -1;            ///< that it is within the domain; −1: none
+    glm::dvec3 low{0}, high{0}; ///< the faces of the box that light was stored on it in [voxel]
 };
 
 /// The ground that the files' metadata tell of. Throws DataError where two tell of different ones,

@@ -37,7 +37,7 @@ inline glm::ivec3 atlasOf(std::int64_t count, const glm::ivec3& block) {
     };
     const int x = over(std::max<std::int64_t>(count, 1), std::int64_t{most.y} * most.z);
     const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / x)));
-    const int y = std::clamp(side, 1, most.y);
+    const int y = std::clamp(std::max(side, over(count, std::int64_t{x} * most.z)), 1, most.y);
     return {x, y, std::max(over(count, std::int64_t{x} * y), 1)};
 }
 

@@ -38,14 +38,19 @@ template<typename Visit> void forEachVoxel(const volume::IndexBox& box, const Vi
             for (int x = box.min.x; x <= box.max.x; ++x) visit(ivec3(x, y, z));
 }
 
+/// A voxel beside which, along an axis, a sign is lost.
+struct Lost {
+    ivec3 voxel;
+    int axis;
+};
+
 /// What is seen of an object in some bricks.
 struct Facts {
     volume::IndexBox box, inside;
     double slopes = 0;
     std::int64_t sloped = 0;
     std::vector<std::uint32_t> cells; ///< blocks that are looked up, some more than once
-    std::optional<ivec3> lost;        ///< the first voxel beside which a sign is lost
-    int lostAlong = 0;
+    std::optional<Lost> lost;         ///< the first
 };
 
 /// Looks at bricks' voxels, and at those beside them.
@@ -139,8 +144,7 @@ private:
         ivec3 next = p;
         ++next[axis];
         if (std::abs(d - mGrid.at(next)) <= 1.5f * mBand) return;
-        facts.lost = p;
-        facts.lostAlong = axis;
+        facts.lost = Lost{p, axis};
     }
 
     float within() const { return std::min(mBand, kKept); }
@@ -158,17 +162,43 @@ float bandOf(const volume::BrickGrid& grid) {
     return band;
 }
 
-[[noreturn]] void refuseLostSign(const Object& object, const Facts& facts, float voxelSize,
+[[noreturn]] void refuseLostSign(const Object& object, const Lost& lost, float voxelSize,
                                  const ivec3& origin, const std::string& where) {
-    ivec3 next = *facts.lost;
-    ++next[facts.lostAlong];
-    const ivec3 voxel = *facts.lost + origin;
+    ivec3 next = lost.voxel;
+    ++next[lost.axis];
+    const ivec3 voxel = lost.voxel + origin;
     throw DataError(where + ": the signed distance jumps from " +
-                    toText(object.distance.at(*facts.lost) * voxelSize) + " to " +
+                    toText(object.distance.at(lost.voxel) * voxelSize) + " to " +
                     toText(object.distance.at(next) * voxelSize) + " beside voxel (" +
                     std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
                     std::to_string(voxel.z) +
                     "), expected a change of about a voxel: a sign is lost");
+}
+
+/// Finds all but the distances of an object. Returns where a sign is lost, if it is.
+std::optional<Lost> inspect(Object& object) {
+    object.band = bandOf(object.distance);
+    const Inspector inspector(object);
+    std::vector<Facts> layers(static_cast<size_t>(object.distance.bricks.z));
+    tbb::parallel_for(size_t{0}, layers.size(),
+                      [&](size_t z) { layers[z] = inspector.inspectLayer(static_cast<int>(z)); });
+    std::optional<Lost> lost;
+    double slopes = 0;
+    std::int64_t sloped = 0;
+    for (const Facts& layer : layers) {
+        if (!lost) lost = layer.lost;
+        object.box.include(layer.box);
+        object.inside.include(layer.inside);
+        slopes += layer.slopes;
+        sloped += layer.sloped;
+        object.cells.insert(object.cells.end(), layer.cells.begin(), layer.cells.end());
+    }
+    std::sort(object.cells.begin(), object.cells.end());
+    object.cells.erase(std::unique(object.cells.begin(), object.cells.end()), object.cells.end());
+    // Outside the domain: its first voxel will do.
+    if (object.box.empty()) object.box = {ivec3(0), ivec3(0)};
+    if (sloped > 0) object.slope = static_cast<float>(slopes / static_cast<double>(sloped));
+    return std::nullopt;
 }
 
 } // namespace
@@ -189,26 +219,15 @@ Object readObject(const volume::Volume& volume, const std::string& sdf,
             float* values = object.distance.values.data() + brick * volume::kBrickVoxels;
             for (int i = 0; i < volume::kBrickVoxels; ++i) values[i] /= h;
         });
-    object.band = bandOf(object.distance);
-    const Inspector inspector(object);
-    std::vector<Facts> layers(static_cast<size_t>(object.distance.bricks.z));
-    tbb::parallel_for(size_t{0}, layers.size(),
-                      [&](size_t z) { layers[z] = inspector.inspectLayer(static_cast<int>(z)); });
-    double slopes = 0;
-    std::int64_t sloped = 0;
-    for (const Facts& layer : layers) {
-        if (layer.lost) refuseLostSign(object, layer, h, box.min, where);
-        object.box.include(layer.box);
-        object.inside.include(layer.inside);
-        slopes += layer.slopes;
-        sloped += layer.sloped;
-        object.cells.insert(object.cells.end(), layer.cells.begin(), layer.cells.end());
-    }
-    std::sort(object.cells.begin(), object.cells.end());
-    object.cells.erase(std::unique(object.cells.begin(), object.cells.end()), object.cells.end());
-    // Outside the domain: its first voxel will do.
-    if (object.box.empty()) object.box = {ivec3(0), ivec3(0)};
-    if (sloped > 0) object.slope = static_cast<float>(slopes / static_cast<double>(sloped));
+    if (const std::optional<Lost> lost = inspect(object))
+        refuseLostSign(object, *lost, h, box.min, where);
+    return object;
+}
+
+Object makeObject(volume::BrickGrid distance) {
+    Object object;
+    object.distance = std::move(distance);
+    inspect(object);
     return object;
 }
 

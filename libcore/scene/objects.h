@@ -23,6 +23,9 @@ struct Object {
     float slope = 1;         ///< how it grows a voxel on, in the mean near the boundary
 };
 
+/// An object of those distances [voxel].
+Object makeObject(volume::BrickGrid distance);
+
 /// Whether they are more than tables of boundaries have bits for: kernels then go by lists.
 bool areMany(const std::vector<Object>& objects);
 

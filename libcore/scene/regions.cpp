@@ -162,6 +162,7 @@ Values readValues(const volume::Volume& volume, const std::string& grid,
 Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts,
                   const volume::IndexBox& box, const Object* object, bool own) {
     Region region = readAll(facts.name, object, Reader(volume, box, object, facts.name, own));
+    region.priority = facts.priority;
     region.roughness = facts.roughness;
     region.metal = facts.metal;
     region.opaque = region.opaque || region.metal;

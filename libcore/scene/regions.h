@@ -35,6 +35,7 @@ struct Region {
     Values dispersion; ///< Cauchy's B [µm²]
     Values absorption, scattering, anisotropy, emission, albedo, reflectance, opacity;
     bool opaque = false; ///< of sharp boundaries: all of it
+    int priority = 0;    ///< where objects overlap the higher wins
     float roughness = 0; ///< GGX's α of its boundary
     std::optional<volume::Metal> metal;
 

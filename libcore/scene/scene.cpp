@@ -202,6 +202,12 @@ const Region* Scene::firstCoated() const {
     return nullptr;
 }
 
+bool Scene::isClearAround() const {
+    const Region& around = medium();
+    return sharp && !around.indexVaries() && around.absorption.isZero() &&
+           around.scattering.isZero() && around.emission.isZero() && !around.opaque;
+}
+
 bool Scene::showsLight() const {
     const bool receives = sharp ? anyMatt() : anyHas(&Region::opacity);
     return receives || anyHas(&Region::scattering);

@@ -77,6 +77,8 @@ struct Scene {
     /// A matt object whose index is above that of something transparent: it has a coat there. Null
     /// if there is none.
     const Region* firstCoated() const;
+    /// Whether what surrounds its objects does nothing to light, with sharp boundaries.
+    bool isClearAround() const;
     /// Whether light is seen anywhere: where it is scattered, or falls on what is opaque.
     bool showsLight() const;
     /// How many regions have coefficients that vary, of sharp boundaries.

@@ -28,9 +28,6 @@ private:
 /// What they take on the device.
 std::vector<gpu::Need> domainNeeds(const Params& params);
 
-/// Throws DataError where domains overlap, or what surrounds them is not one medium.
-void requireApart(const std::vector<Plan>& plans);
-
 /// Where one domain disperses light all kernels trace it by wavelength.
 void shareDispersion(std::vector<Plan>& plans);
 

@@ -150,6 +150,8 @@ GroundParams groundParams(const scene::Ground& ground, const scene::Scene& scene
         if (describe(light, ground.plane.y, frame, params.lights[count])) ++count;
     }
     params.constant = vec4(constant, 0);
+    params.low = vec4(ground.low, 0);
+    params.high = vec4(ground.high, 0);
     params.numbers = ivec4(count, ground.region, 0, 0);
     return params;
 }

@@ -19,10 +19,7 @@ void Params::check() const {
     requireOption(samples >= 1 && samples <= 4096, "--samples", std::to_string(samples),
                   "1 to 4096");
     requireOption(maxSteps >= 0, "--max-steps", std::to_string(maxSteps), "0 or more");
-    requireOption(background.x >= 0 && background.y >= 0 && background.z >= 0, "--background",
-                  "a radiance below 0", "0 or more");
-    requireOption(std::isfinite(environmentTurn), "--env-rotate", toText(environmentTurn),
-                  "a number of degrees");
+    Background::check();
     for (const std::string& name : aovs)
         requireOption(std::count(allAovs().begin(), allAovs().end(), name) == 1, "--aov",
                       "'" + name + "'", "one of " + join(allAovs(), ", "));

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "camera/background.h"
+#include "camera/camera.h"
 #include "optics/tracing.h"
-#include "view/camera.h"
 
 #include <glm/vec3.hpp>
 #include <string>
@@ -11,6 +12,7 @@
 
 namespace eikonal::view {
 
+using camera::Camera;
 using optics::Integrator;
 using optics::Interpolation;
 
@@ -26,20 +28,17 @@ struct PointLights {
     bool empty() const { return places.empty(); }
 };
 
-struct Params : optics::Tracing {
+struct Params : optics::Tracing, camera::Background {
     Camera camera;
     int maxDepth = 64; ///< sharp: most boundaries that a ray meets
     /// Sharp: a reflection of a smaller share of its ray's light is not followed, and what is
     /// refracted takes that along; below its square a branch is dropped. What floats hold of a
     /// picture is three decimals.
     double cutoff = 1e-3;
-    int samples = 1;  ///< rays of a pixel, see samplePattern()
+    int samples = 1;  ///< rays of a pixel, see camera::samplePattern()
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
-    PointLights points;         ///< where a pixel's first branch ends, in place of the stored light
-    glm::dvec3 background{0};   ///< radiance where there is no map
-    double environmentTurn = 0; ///< of the map about its up axis [degree]
-    bool environmentZUp = false;
+    PointLights points; ///< where a pixel's first branch ends, in place of the stored light
 
     /// Throws UsageError naming the option that is wrong.
     void check() const;

@@ -1,10 +1,13 @@
 // What a picture of a scene calls for, decided before anything is allocated.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/error.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
 #include "view/domains.h"
+#include "view/overlaps.h"
 #include "view/picture.h"
 #include "view/rays.h"
+#include "view/shared.h"
 #include "view/view.h"
 
 #include <algorithm>
@@ -74,15 +77,8 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
 
 } // namespace
 
-Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
-    Plan plan;
-    scene::Wanted wanted;
-    wanted.boundary = params.boundary;
-    wanted.wavelengths = params.wavelengths;
-    wanted.emission = wanted.surfaces = wanted.light = true;
-    plan.scene = scene::read(files, wanted);
+void tellEffects(Plan& plan, const Params& params) {
     const scene::Scene& scene = plan.scene;
-    plan.map = hasMap;
     plan.bends = scene::effectNamed(scene::effectsOf(scene, params), "refraction").on;
     plan.dims = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
     plan.emits = scene.anyHas(&Region::emission);
@@ -94,6 +90,18 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
         scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
         (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
         (plan.scatters && !scene.light.fluence.grey());
+}
+
+Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
+    Plan plan;
+    scene::Wanted wanted;
+    wanted.boundary = params.boundary;
+    wanted.wavelengths = params.wavelengths;
+    wanted.emission = wanted.surfaces = wanted.light = true;
+    plan.scene = scene::read(files, wanted);
+    const scene::Scene& scene = plan.scene;
+    plan.map = hasMap;
+    tellEffects(plan, params);
     plan.ground = scene::readGround(files, scene);
     listEffects(plan, params, files);
     if (!scene.sharp) plan.ground.reset();
@@ -126,18 +134,27 @@ constexpr int kRoundObjects = 2;
 /// The part of a scene's domain that has anything but the surrounding medium in it, where that is
 /// clear and even.
 volume::IndexBox partWithObjects(const scene::Scene& scene) {
-    const Region& medium = scene.medium();
-    const bool clear = scene.sharp && !medium.indexVaries() && medium.absorption.isZero() &&
-                       medium.scattering.isZero() && medium.emission.isZero() && !medium.opaque;
     volume::IndexBox part;
     for (const scene::Object& object : scene.objects)
         if (!object.inside.empty()) part.include(object.inside);
-    if (!clear || part.empty()) return scene.domain;
+    if (!scene.isClearAround() || part.empty()) return scene.domain;
     return {glm::max(part.min + scene.domain.min - kRoundObjects, scene.domain.min),
             glm::min(part.max + scene.domain.min + kRoundObjects, scene.domain.max)};
 }
 
-/// An effect of several domains is on where it is on in one.
+/// All of them see the one ground.
+void shareGround(std::vector<Plan>& plans) {
+    std::optional<scene::Ground> ground;
+    for (const Plan& plan : plans)
+        if (plan.ground && !ground) ground = plan.ground;
+    if (!ground) return;
+    ground->region = -1;
+    for (Plan& plan : plans)
+        if (!plan.ground) plan.ground = ground;
+}
+
+} // namespace
+
 void joinEffects(std::vector<Plan>& plans) {
     Plan& first = plans.front();
     for (size_t i = 1; i < plans.size(); ++i) {
@@ -154,19 +171,6 @@ void joinEffects(std::vector<Plan>& plans) {
     }
 }
 
-/// All of them see the one ground.
-void shareGround(std::vector<Plan>& plans) {
-    std::optional<scene::Ground> ground;
-    for (const Plan& plan : plans)
-        if (plan.ground && !ground) ground = plan.ground;
-    if (!ground) return;
-    ground->region = -1;
-    for (Plan& plan : plans)
-        if (!plan.ground) plan.ground = ground;
-}
-
-} // namespace
-
 std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& params, bool hasMap) {
     std::vector<Plan> plans;
     for (scene::Files& one : files) {
@@ -177,7 +181,12 @@ std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& para
         one.crop(part);
         plans.back() = makePlan(one, params, hasMap);
     }
-    requireApart(plans);
+    mergeOverlapping(plans, params);
+    if (plans.size() == 1) return plans;
+    if (plans.size() > static_cast<size_t>(kMostDomains))
+        throw DataError(std::to_string(plans.size()) +
+                        " volumes in places of their own, expected " +
+                        std::to_string(kMostDomains) + " at most");
     shareDispersion(plans);
     shareGround(plans);
     const bool paths = std::any_of(plans.begin(), plans.end(),

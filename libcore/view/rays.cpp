@@ -3,7 +3,6 @@
 #include "view/rays.h"
 
 #include "scene/voxel_textures.h"
-#include "view/background.h"
 #include "view/ground.h"
 #include "view/picture.h"
 
@@ -183,7 +182,7 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     profiler.begin("medium");
     mTransport = scene::Transport(device, plan.scene, params, stepsOf(plan, params));
     mMedia = Media(device, plan);
-    mMap = makeMap(device, map);
+    mMap = camera::makeMap(device, map);
     if (!params.points.empty()) uploadPoints(device, plan, params.points);
     if (plan.ground) {
         const GroundParams ground = groundParams(*plan.ground, plan.scene);
@@ -205,7 +204,7 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
         vec4(outside, params.cutoff, scene.index.backgroundDispersion, 1 / (outside * outside));
     const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();
     const glm::dmat3 turn(glm::dmat3(voxelFromWorld) * h);
-    const CameraAxes axes = axesOf(camera);
+    const camera::CameraAxes axes = axesOf(camera);
     const double half =
         camera.parallel ? 0.5 * camera.height / h : std::tan(glm::radians(0.5 * camera.fov));
     const dvec3 eye(voxelFromWorld * glm::dvec4(camera.eye, 1.0));
@@ -215,7 +214,12 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mValues.forward = vec4(turn * axes.forward, 0);
     mValues.right = vec4(half * camera.aspect() * (turn * axes.right), 0);
     mValues.up = vec4(half * (turn * axes.up), 0);
-    tellBackground(mValues, scene, params, map);
+    mValues.background = camera::backgroundValues(params, map);
+    const glm::dmat3 rows =
+        glm::transpose(camera::mapFromFrame(params, scene.worldFromVoxelTurn()));
+    mValues.mapFromVoxel0 = vec4(rows[0], 0);
+    mValues.mapFromVoxel1 = vec4(rows[1], 0);
+    mValues.mapFromVoxel2 = vec4(rows[2], 0);
     mValues.picture = ivec4(camera.width, camera.rows, 0, 0);
 }
 
@@ -227,7 +231,7 @@ void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights
     // isAtSide() of shaders/view/ground.glsl.
     const auto isKnown = [&](const dvec3& place) {
         return !plan.ground ||
-               place == glm::clamp(place, dvec3(0.5), dvec3(plan.scene.size()) - 1.5);
+               place == glm::clamp(place, plan.ground->low + 1.0, plan.ground->high - 1.0);
     };
     for (size_t i = 0; i < places.size(); ++i) {
         const dvec3 place(voxelFromWorld * glm::dvec4(points.places[i], 1.0));

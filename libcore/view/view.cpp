@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view/view.h"
 
+#include "camera/background.h"
+#include "camera/pattern.h"
 #include "optics/bands.h"
-#include "view/background.h"
 #include "view/domains.h"
-#include "view/pattern.h"
 #include "view/picture.h"
 #include "view/rays.h"
 
@@ -99,7 +99,7 @@ void trace(Work& work, int row, int rows, const Launch& one) {
 double traceStrip(Work& work, const std::vector<optics::Band>& bands, int samples, int row,
                   int rows, const Progress& progress) {
     double longest = 0;
-    const std::vector<glm::dvec2> places = samplePattern(samples);
+    const std::vector<glm::dvec2> places = camera::samplePattern(samples);
     const double share = 1.0 / samples, coverage = share / static_cast<double>(bands.size());
     int done = 0;
     const auto all = static_cast<int>(bands.size()) * samples;
@@ -131,7 +131,7 @@ image::Image render(gpu::Device& device, const std::vector<Plan>& plans, const P
                     const std::optional<image::Image>& map, Stats& stats,
                     const Progress& progress) {
     std::vector<gpu::Need> needs = needsOf(plans, params);
-    if (map) needs.push_back(mapNeed(*map));
+    if (map) needs.push_back(camera::mapNeed(*map));
     device.requireFit(needs);
     gpu::Profiler profiler(stats);
     Work work{{}, {}, Picture(device, plans, params)};
@@ -166,12 +166,6 @@ image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const std::optional<image::Image>& map, Stats& stats,
                     const Progress& progress) {
     return render(device, std::vector<Plan>{plan}, params, map, stats, progress);
-}
-
-void describeCamera(const Camera& camera, image::ImageAttributes& attributes) {
-    attributes.hasCamera = true;
-    attributes.worldToCamera = cameraFromWorld(camera);
-    attributes.worldToNDC = ndcFromCamera(camera) * cameraFromWorld(camera);
 }
 
 } // namespace eikonal::view

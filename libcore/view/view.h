@@ -41,9 +41,16 @@ struct Plan {
 Plan makePlan(const scene::Files& files, const Params& params, bool hasMap);
 
 /// Of volumes in places of their own. Where nothing but objects is in one, its domain is cut to
-/// them, so that empty space costs nothing. Throws DataError where domains overlap, or do not lie
-/// in one medium.
+/// them, so that empty space costs nothing. Those whose domains overlap are made one, see
+/// scene::merge(). Throws DataError where that can't be, or where they do not lie in one medium.
 std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& params, bool hasMap);
+
+/// Fills in what the scene's data turn on: all flags but those of several domains.
+void tellEffects(Plan& plan, const Params& params);
+
+/// Adds the effects and warnings of all of them to the first: an effect is on where it is on in
+/// one.
+void joinEffects(std::vector<Plan>& plans);
 
 /// What the run will hold on the device.
 std::vector<gpu::Need> needsOf(const std::vector<Plan>& plans, const Params& params);
@@ -55,8 +62,5 @@ image::Image render(gpu::Device& device, const std::vector<Plan>& plans, const P
                     const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
 image::Image render(gpu::Device& device, const Plan& plan, const Params& params,
                     const std::optional<image::Image>& map, Stats& stats, const Progress& progress);
-
-/// The camera's matrices in OpenEXR's spaces.
-void describeCamera(const Camera& camera, image::ImageAttributes& attributes);
 
 } // namespace eikonal::view

@@ -119,3 +119,11 @@ const int kWeightsBuffer = 2; // smooth: by offset
 // voxelize: storage buffers.
 const int kFacetsBuffer = 0;  // triangles
 const int kChangesBuffer = 1; // of the count of sub-samples, per voxel
+
+// imagespace: textures and storage buffers.
+const int kFrontsUnit = 0;       // outward normals and depths of front faces, or layers of all, nearest first
+const int kBacksUnit = 1;        // of the furthest back faces, with mip levels
+const int kDistancesUnit2d = 2;  // isr: along the normal to the far side [unit]
+const int kPlatesUnit = 3;       // of opaque meshes, as kFrontsUnit
+const int kAlbedosUnit = 4;      // theirs
+const int kDepthRangeBuffer = 4; // bits of the least and the greatest depth of back faces

@@ -23,5 +23,7 @@ struct GroundParams {
     vec4 front;    // and along its z
     vec4 albedo;   // rgb; w: what every other square has of it
     vec4 constant; // rgb: irradiance that is the same all over [W/m²]
+    vec4 low;      // xyz: faces of the box that light was stored in [voxel]
+    vec4 high;
     GroundLight lights[kMostGroundLights];
 };

@@ -54,13 +54,14 @@ float polygonAt(int i, vec3 x) {
     return abs(sum);
 }
 
-// Whether what is stored at a place within the domain is not the ground's alone: in the outermost surface voxels
-// there is what falls on the side of the domain that cuts the ground open, and in those that points had, which
-// are no larger than a voxel.
+// Whether what is stored at a place is not the ground's alone, or nothing is: in the outermost surface voxels there
+// is what falls on the side of the domain that cuts the ground open, and in those that points had, which are no
+// larger than a voxel. Beyond the ground's own box nothing is.
 bool isAtSide(vec3 x) {
-    if (SURFACES == 0 && POINTS == 0) return false;
-    float margin = POINTS == 1 ? 1.0 : 1.5 / float(surface.size.w);
-    return any(greaterThan(abs(fromCentre(x)), transport.halfSize.xyz - margin));
+    float margin = 0.0;
+    if (POINTS == 1) margin = 1.0;
+    else if (SURFACES == 1) margin = 1.5 / float(surface.size.w);
+    return any(lessThan(x, ground.low.xyz + margin)) || any(greaterThan(x, ground.high.xyz - margin));
 }
 
 // At a point of the plane [W/m²].

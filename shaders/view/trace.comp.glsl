@@ -45,7 +45,7 @@ ivec2 pixelNow; // in the picture
 #if DOMAINS == 1
 vec3 begunAlong = vec3(0.0); // the ray, in this domain
 #endif
-#include "view/environment.glsl"
+#include "view/background.glsl"
 #include "view/camera_ray.glsl"
 #include "view/counters.glsl"
 #include "view/surface.glsl"

@@ -60,7 +60,7 @@ TEST_F(HardValue, ABadNumberInAVolumeIsRefusedByGridAndVoxel) {
                           {"anisotropy", {kNan, 1, -1, 1.5f}, true},
                           {"opacity", {kNan, 1.0001f, -1}, true},
                           {"emission", {kNan, kInfinity, -1}, false},
-                          {"fluence", {kNan, kInfinity, -1}, false},
+                          {"fluence", {kNan, kInfinity}, false},
                           {"light_direction", {kNan, kInfinity}, false},
                           {"albedo", {kNan, 1.1f, -0.1f}, false}};
     for (const Case& c : cases)

@@ -121,8 +121,10 @@ TEST(SharpMany, OpaqueAndMirroringObjectsOfEveryNumber) {
     const Look look(std::move(boxes), params);
     forEachCell(params, [&](int k, int x, int y) {
         const double through = throughOf(indexOf(k)) * throughOf(indexOf(k));
-        // Of the sky's light what is mirrored comes back, but from what mirrors none.
-        const double seen = k % 3 == 0 ? 0 : k % 3 == 1 ? through : 1;
+        // Of the sky's light what is mirrored comes back, but from what mirrors none; what is
+        // opaque mirrors as a coat of its index does.
+        const double coat = 1 - throughOf(indexOf(k));
+        const double seen = k % 3 == 0 ? coat : k % 3 == 1 ? through : 1;
         EXPECT_NEAR(look.at("transmittance.R", x, y), k % 3 == 0 ? 0 : through, 1e-4) << k;
         EXPECT_NEAR(look.at("R", x, y), seen, 1e-4) << k;
     });

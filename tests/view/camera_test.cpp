@@ -1,7 +1,7 @@
 // Cameras and what surrounds the scene: which ray belongs to which pixel, and what it sees.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "camera/background.h"
 #include "support/look.h"
-#include "view/background.h"
 
 #include <numbers>
 
@@ -122,8 +122,8 @@ TEST(ViewEnvironment, MapsOfHalvesTakeHalfTheMemoryAndLookTheSame) {
     pixels[0] = 1 + 1e-5f; // at the map's edge, behind the camera: no half
     const image::Image floats = mapOf();
     EXPECT_EQ(lookAt(halves).picture.pixels, lookAt(floats).picture.pixels);
-    EXPECT_EQ(makeMap(device(), halves).bytes(), 8 * width * height);
-    EXPECT_EQ(makeMap(device(), floats).bytes(), 16 * width * height);
+    EXPECT_EQ(camera::makeMap(device(), halves).bytes(), 8 * width * height);
+    EXPECT_EQ(camera::makeMap(device(), floats).bytes(), 16 * width * height);
 }
 
 TEST(ViewEnvironment, TurnsAndOtherUpAxes) {

@@ -248,7 +248,7 @@ TEST(ViewGround, IsSeenBesideThroughAndInABall) {
         const bool within = std::max(std::abs(p.x), std::abs(p.z)) < 20;
         return within ? dvec3(0) : albedoAt(stage.ground, p) / kPi;
     };
-    const CameraAxes axes = axesOf(params.camera);
+    const camera::CameraAxes axes = axesOf(params.camera);
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 48; ++x) {
             const double half = std::tan(kPi / 9);

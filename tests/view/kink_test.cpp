@@ -37,7 +37,7 @@ double focusError(int size, double within, bool plainSamples) {
         const Plan plan = makePlan(files, params, false);
         Stats stats;
         const image::Image picture = render(device(), plan, params, {}, stats, {});
-        const CameraAxes axes = axesOf(params.camera);
+        const camera::CameraAxes axes = axesOf(params.camera);
         const dvec3 focus = centre + radius * direction;
         for (int y = 0; y < pixels; ++y)
             for (int x = 0; x < pixels; ++x) {

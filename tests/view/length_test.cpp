@@ -71,7 +71,7 @@ double worstOf(const Mode& mode) {
         const auto channel = [&](const std::string& name, size_t i) {
             return static_cast<double>(picture.plane(*picture.find(name))[i]);
         };
-        const CameraAxes axes = axesOf(params.camera);
+        const camera::CameraAxes axes = axesOf(params.camera);
         const double half = std::tan(glm::radians(0.5 * params.camera.fov));
         for (size_t i = 0; i < 64; ++i) {
             const double sx = static_cast<double>(i % 8) / 4 - 0.875;

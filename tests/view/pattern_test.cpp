@@ -1,7 +1,7 @@
 // Where a pixel's rays go: about its middle, well spread, and better at edges than a sequence's
 // start. SPDX-License-Identifier: GPL-3.0-or-later
+#include "camera/pattern.h"
 #include "support/look.h"
-#include "view/pattern.h"
 
 #include <numbers>
 #include <set>
@@ -61,7 +61,7 @@ double edgeError(const std::vector<dvec2>& places) {
 
 TEST(SamplePattern, HasItsMeanInTheMiddleForEveryCount) {
     for (int samples = 1; samples <= kMostSamples; ++samples) {
-        const std::vector<dvec2> places = samplePattern(samples);
+        const std::vector<dvec2> places = camera::samplePattern(samples);
         ASSERT_EQ(places.size(), static_cast<size_t>(samples));
         dvec2 sum(0);
         for (const dvec2& place : places) sum += place;
@@ -75,7 +75,7 @@ TEST(SamplePattern, HasItsMeanInTheMiddleForEveryCount) {
 TEST(SamplePattern, HasOneSampleInEachColumnAndRowAndNoneTwice) {
     for (int samples = 1; samples <= kMostSamples; samples += samples < 64 ? 1 : 61) {
         std::set<long> columns, rows;
-        for (const dvec2& place : samplePattern(samples)) {
+        for (const dvec2& place : camera::samplePattern(samples)) {
             columns.insert(std::lround(place.x * samples - 0.5));
             rows.insert(std::lround(place.y * samples - 0.5));
         }
@@ -91,7 +91,7 @@ TEST(SamplePattern, HasOneSampleInEachColumnAndRowAndNoneTwice) {
 TEST(SamplePattern, CoversEdgesBetterThanAPlainSequence) {
     for (int samples = 2; samples <= kMostSamples; samples += std::max(1, samples / 16)) {
         const double plain = edgeError(sequenceFrom(samples));
-        EXPECT_LT(edgeError(samplePattern(samples)), plain) << samples;
+        EXPECT_LT(edgeError(camera::samplePattern(samples)), plain) << samples;
     }
 }
 

@@ -15,7 +15,7 @@ namespace wineglass {
 namespace {
 
 judge::Ray rayOf(const eikonal::view::Camera& camera, int x, int y) {
-    const eikonal::view::CameraAxes axes = eikonal::view::axesOf(camera);
+    const eikonal::camera::CameraAxes axes = eikonal::camera::axesOf(camera);
     const double height =
         camera.parallel ? camera.height : 2 * std::tan(glm::radians(camera.fov) / 2);
     const double pixel = height / camera.rows;

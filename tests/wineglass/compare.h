@@ -2,9 +2,9 @@
 // surface. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "camera/camera.h"
 #include "image/image.h"
 #include "judge/revolved.h"
-#include "view/camera.h"
 
 #include <array>
 #include <limits>

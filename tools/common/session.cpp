@@ -227,9 +227,19 @@ std::vector<std::unique_ptr<AtomicFile>>& Session::outputs() {
     if (mOutputs.empty()) {
         for (const std::string& path : mOutputPaths)
             mOutputs.push_back(std::make_unique<AtomicFile>(path, mNoClobber));
-        if (!mStatsPath.empty()) mStatsFile = std::make_unique<AtomicFile>(mStatsPath, mNoClobber);
+        openStats();
     }
     return mOutputs;
+}
+
+std::span<const std::unique_ptr<AtomicFile>> Session::extraOutputs(size_t first, size_t count) {
+    for (size_t k = 0; k < count; ++k) extraOutput(mOutputPaths.at(first + k));
+    return std::span(mExtraOutputs).last(count);
+}
+
+void Session::openStats() {
+    if (!mStatsPath.empty() && !mStatsFile)
+        mStatsFile = std::make_unique<AtomicFile>(mStatsPath, mNoClobber);
 }
 
 void Session::dropOutputs() {

@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,13 @@ public:
     /// The outputs, created on the first call; in the order of -o.
     std::vector<std::unique_ptr<AtomicFile>>& outputs();
     const std::vector<std::string>& outputPaths() const { return mOutputPaths; }
+    /// Takes these names in place of -o's, as where those are patterns. They are created by
+    /// extraOutputs(), not outputs().
+    void nameOutputs(std::vector<std::string> paths) { mOutputPaths = std::move(paths); }
+    /// So many of them from `first` on, created; they last until the next call.
+    std::span<const std::unique_ptr<AtomicFile>> extraOutputs(size_t first, size_t count);
+    /// Creates the file of --stats, which outputs() does, too.
+    void openStats();
     /// A further output beside -o, written with them.
     AtomicFile& extraOutput(const std::string& path);
 

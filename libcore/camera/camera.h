@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "image/exr.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-namespace eikonal::view {
+namespace eikonal::camera {
 
 struct Camera {
     glm::dvec3 eye{0}, target{0}, up{0, 1, 0}; ///< world [unit]
@@ -31,4 +33,7 @@ glm::dmat4 cameraFromWorld(const Camera& camera);
 /// To coordinates in [0, 1] over the picture, y down, as OpenEXR's worldToNDC has them.
 glm::dmat4 ndcFromCamera(const Camera& camera);
 
-} // namespace eikonal::view
+/// The camera's matrices in OpenEXR's spaces.
+void describeCamera(const Camera& camera, image::ImageAttributes& attributes);
+
+} // namespace eikonal::camera

@@ -1,17 +1,19 @@
 // What surrounds the scene: a colour or an environment map.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/background.h"
+#include "camera/background.h"
 
+#include "base/error.h"
+#include "base/text.h"
 #include "image/halves.h"
 #include "image/lat_long.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
 
-namespace eikonal::view {
+namespace eikonal::camera {
 
 namespace {
 
@@ -34,6 +36,13 @@ gpu::Texture uploaded(gpu::Device& device, const image::Image& map, gpu::TexelFo
 
 } // namespace
 
+void Background::check() const {
+    requireOption(background.x >= 0 && background.y >= 0 && background.z >= 0, "--background",
+                  "a radiance below 0", "0 or more");
+    requireOption(std::isfinite(environmentTurn), "--env-rotate", toText(environmentTurn),
+                  "a number of degrees");
+}
+
 gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map) {
     if (!map) return {};
     if (image::areHalves(*map))
@@ -55,16 +64,23 @@ gpu::Need mapNeed(const image::Image& map) {
     return {"the environment map", texels * 16, false, 0, std::max(map.width, map.height)};
 }
 
-void tellBackground(ViewParams& values, const scene::Scene& scene, const Params& params,
-                    const std::optional<image::Image>& map) {
+glm::vec4 backgroundValues(const Background& background, const std::optional<image::Image>& map) {
     const bool byEdges = map && map->envmap == image::Envmap::latLong;
-    values.background = vec4(params.background, !map ? 1 : byEdges ? 3 : 2);
-    const glm::dmat3 mapFromWorld =
-        image::mapFromWorld(params.environmentTurn, params.environmentZUp);
-    const glm::dmat3 rows = glm::transpose(mapFromWorld * scene.worldFromVoxelTurn());
-    values.mapFromVoxel0 = vec4(rows[0], 0);
-    values.mapFromVoxel1 = vec4(rows[1], 0);
-    values.mapFromVoxel2 = vec4(rows[2], 0);
+    return {background.background, !map ? 1 : byEdges ? 3 : 2};
 }
 
-} // namespace eikonal::view
+glm::dmat3 mapFromFrame(const Background& background, const glm::dmat3& worldFromFrame) {
+    return image::mapFromWorld(background.environmentTurn, background.environmentZUp) *
+           worldFromFrame;
+}
+
+glm::dvec3 radianceFrom(const Background& background, const std::optional<image::Image>& map,
+                        const glm::dvec3& direction) {
+    if (!map) return background.background;
+    const glm::dvec3 d = mapFromFrame(background, glm::dmat3(1)) * direction;
+    const double longitude = std::atan2(d.x, d.z), latitude = std::atan2(d.y, std::hypot(d.x, d.z));
+    return image::radianceAt(
+        *map, {0.5 - longitude / (2 * std::numbers::pi), 0.5 - latitude / std::numbers::pi});
+}
+
+} // namespace eikonal::camera

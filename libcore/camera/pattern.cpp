@@ -1,13 +1,13 @@
 // Where in its pixel each of a pixel's rays goes.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/pattern.h"
+#include "camera/pattern.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-namespace eikonal::view {
+namespace eikonal::camera {
 
 // Multiples of the golden ratio fill a row as evenly as any sequence does. Their order, rather than
 // their values, gives the rows: a row for each, which keeps the mean exact.
@@ -33,4 +33,4 @@ std::vector<glm::dvec2> samplePattern(int samples) {
     return places;
 }
 
-} // namespace eikonal::view
+} // namespace eikonal::camera

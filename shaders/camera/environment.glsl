@@ -1,7 +1,7 @@
-// What a ray sees that leaves the domain: nothing, a colour or an environment map.
+// What a ray sees that leaves the scene: nothing, a colour or an environment map.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Included where `params`, a ViewParams, is declared.
+// Included where `kMap` says whether there is a map.
 #include "lib/latlong.glsl"
 
 layout(binding = kEnvironmentUnit) uniform sampler2D environment;
@@ -24,9 +24,7 @@ vec3 mapAt(vec2 uv, bool byEdges) {
     return mix(upper, lower, share.y);
 }
 
-// Radiance from a unit direction in voxel space.
-vec3 backgroundLight(vec3 direction) {
-    vec3 d = vec3(dot(params.mapFromVoxel0.xyz, direction), dot(params.mapFromVoxel1.xyz, direction),
-                  dot(params.mapFromVoxel2.xyz, direction));
-    return kMap ? mapAt(latLongOf(d), params.background.w == 3.0) : params.background.xyz;
+// Radiance from a unit direction in the map's frame; `background` is as camera::backgroundValues() has it.
+vec3 environmentLight(vec3 d, vec4 background) {
+    return kMap ? mapAt(latLongOf(d), background.w == 3.0) : background.xyz;
 }

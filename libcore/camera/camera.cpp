@@ -1,6 +1,6 @@
 // Where the eye is, and which way each pixel looks.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/camera.h"
+#include "camera/camera.h"
 
 #include "base/error.h"
 #include "base/text.h"
@@ -11,7 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <string>
 
-namespace eikonal::view {
+namespace eikonal::camera {
 
 using glm::dvec3;
 using glm::dvec4;
@@ -75,4 +75,10 @@ glm::dmat4 ndcFromCamera(const Camera& camera) {
     return matrix;
 }
 
-} // namespace eikonal::view
+void describeCamera(const Camera& camera, image::ImageAttributes& attributes) {
+    attributes.hasCamera = true;
+    attributes.worldToCamera = cameraFromWorld(camera);
+    attributes.worldToNDC = ndcFromCamera(camera) * cameraFromWorld(camera);
+}
+
+} // namespace eikonal::camera

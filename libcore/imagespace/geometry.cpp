@@ -1,0 +1,122 @@
+// Meshes as the device draws them, and where they are seen.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imagespace/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace eikonal::imagespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+namespace {
+
+/// Makes vertices of corners: a point's are few, so that a list of them is searched from its start.
+class Vertices {
+public:
+    Vertices(size_t points, Geometry& geometry) : mFirst(points, kNone), mGeometry(geometry) {}
+
+    std::uint32_t of(std::uint32_t point, const vec3& normal, const auto& write) {
+        std::uint32_t* link = &mFirst[point];
+        while (*link != kNone) {
+            if (mNormals[*link] == normal) return *link;
+            link = &mNext[*link];
+        }
+        const auto made = static_cast<std::uint32_t>(mNormals.size());
+        *link = made;
+        mNormals.push_back(normal);
+        mNext.push_back(kNone);
+        write(mGeometry.vertices);
+        return made;
+    }
+
+private:
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    std::vector<std::uint32_t> mFirst, mNext;
+    std::vector<vec3> mNormals;
+    Geometry& mGeometry;
+};
+
+} // namespace
+
+Geometry geometryOf(const mesh::TriangleMesh& mesh, std::span<const float> distances,
+                    const glm::vec3* albedo) {
+    Geometry geometry;
+    const mesh::Box box = mesh::boundingBox(mesh);
+    geometry.middle = 0.5 * (box.min + box.max);
+    geometry.radius = 0.5 * glm::length(box.max - box.min);
+    geometry.extra = albedo ? 3 : distances.empty() ? 0 : 1;
+    geometry.vertices.reserve(mesh.points.size() * static_cast<size_t>(6 + geometry.extra));
+    geometry.indices.reserve(mesh.triangles.size() * 3);
+    Vertices vertices(mesh.points.size(), geometry);
+    for (size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const glm::uvec3& face = mesh.triangles[f];
+        const dvec3 a = mesh.points[face.x], b = mesh.points[face.y], c = mesh.points[face.z];
+        const dvec3 across = glm::cross(b - a, c - a);
+        const double area = glm::length(across);
+        if (!(area > 0)) continue; // is not seen from anywhere
+        const vec3 flat(across / area);
+        for (int k = 0; k < 3; ++k) {
+            vec3 normal = mesh.normals.empty() ? flat : mesh.normals[f][static_cast<size_t>(k)];
+            if (normal == vec3(0)) normal = flat;
+            geometry.indices.push_back(vertices.of(face[k], normal, [&](std::vector<float>& out) {
+                const vec3 place(mesh.points[face[k]] - geometry.middle);
+                out.insert(out.end(), {place.x, place.y, place.z, normal.x, normal.y, normal.z});
+                if (albedo)
+                    out.insert(out.end(), {albedo->x, albedo->y, albedo->z});
+                else if (!distances.empty())
+                    out.push_back(distances[face[k]]);
+            }));
+        }
+    }
+    return geometry;
+}
+
+gpu::Triangles trianglesOf(gpu::Device& device, const Geometry& geometry) {
+    std::vector<int> sizes{3, 3};
+    if (geometry.extra > 0) sizes.push_back(geometry.extra);
+    return {device, geometry.vertices, sizes, geometry.indices};
+}
+
+Depths depthsOf(const camera::Camera& camera, std::span<const Geometry* const> all) {
+    const camera::CameraAxes axes = camera::axesOf(camera);
+    double nearest = 1e300, furthest = 0, size = 0;
+    for (const Geometry* one : all) {
+        const double depth = glm::dot(one->middle - camera.eye, axes.forward);
+        nearest = std::min(nearest, depth - one->radius);
+        furthest = std::max(furthest, depth + one->radius);
+        size = std::max(size, one->radius);
+    }
+    // Nearer to the eye than this share of a body its triangles are not seen.
+    const double near = std::max(nearest * 0.999, 1e-5 * size);
+    return {near, std::max(furthest * 1.001, 2 * near)};
+}
+
+glm::mat4 cameraFromBody(const camera::Camera& camera, const Geometry& geometry) {
+    const glm::dmat4 fromWorld = camera::cameraFromWorld(camera);
+    return glm::mat4(fromWorld * glm::translate(glm::dmat4(1), geometry.middle));
+}
+
+glm::mat4 clipFromCamera(const camera::Camera& camera, const Depths& depths,
+                         const glm::dvec2& place) {
+    const double half =
+        camera.parallel ? 0.5 * camera.height : std::tan(glm::radians(0.5 * camera.fov));
+    const glm::dvec2 shift = (1.0 - 2.0 * place) / glm::dvec2(camera.width, camera.rows);
+    glm::dmat4 clip(0);
+    clip[0][0] = 1 / (half * camera.aspect());
+    clip[1][1] = -1 / half;
+    if (camera.parallel) {
+        const double extent = depths.far - depths.near;
+        clip[2][2] = -1 / extent;
+        clip[3] = glm::dvec4(shift, depths.far / extent, 1);
+    } else {
+        clip[2] = glm::dvec4(shift, 0, 1); // w is the depth
+        clip[3][2] = depths.near;
+    }
+    return glm::mat4(clip);
+}
+
+} // namespace eikonal::imagespace

@@ -1,0 +1,260 @@
+// Refraction in image space: pictures of meshes by rasterising them, without a volume.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imagespace/imagespace.h"
+
+#include "base/error.h"
+#include "camera/pattern.h"
+#include "gpu/raster.h"
+#include "imagespace/geometry.h"
+#include "imagespace/picture.h"
+#include "mesh/check.h"
+
+#include <array>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+namespace eikonal::imagespace {
+
+namespace {
+
+/// Of the normals of back faces; the shader takes no coarser one.
+constexpr int kLevels = 4;
+
+constexpr auto kFormat = gpu::TexelFormat::rgba32f;
+
+int methodNumber(Method method) {
+    return static_cast<int>(method);
+}
+
+} // namespace
+
+void requireClosed(const mesh::TriangleMesh& mesh, const std::string& title) {
+    const mesh::MeshReport report = mesh::checkTopology(mesh);
+    if (report.boundsVolume()) return;
+    const std::vector<std::string> sentences = report.sentences();
+    std::string faults;
+    for (size_t k = 1; k < sentences.size(); ++k) faults += (k > 1 ? "; " : "") + sentences[k];
+    throw DataError(title + ": bounds no volume: " + faults +
+                    " (expected a closed surface whose faces all look outward; mesh2vol --repair "
+                    "mends some)");
+}
+
+bool isWithin(const mesh::TriangleMesh& mesh, const glm::dvec3& eye) {
+    return mesh::boundingBox(mesh).contains(eye) && std::abs(mesh::windingNumber(mesh, eye)) > 0.5;
+}
+
+std::vector<Effect> effectsOf(const Params& params, bool hasMap) {
+    const bool glows = params.background != glm::dvec3(0);
+    const bool absorbs = params.absorption != glm::dvec3(0);
+    const bool exits = params.method != Method::sir;
+    return {
+        {"refraction", true, exits ? "two interfaces" : "one interface, by --method sir"},
+        {"absorption", absorbs && exits,
+         !absorbs ? "no --absorption"
+         : exits  ? "--absorption, along the way that is found"
+                  : "sir finds no way through"},
+        {"reflection", true, "of the surroundings, by Fresnel's law"},
+        {"environment", hasMap || glows,
+         hasMap  ? "--env"
+         : glows ? "--background"
+                 : "neither --env nor --background"},
+        {"paths", wantsPaths(params),
+         !params.aovs.empty()  ? "--aov"
+         : params.isColoured() ? "opacities by colour"
+                               : "no --aov"},
+    };
+}
+
+struct Renderer::Impl {
+    gpu::Device& device;
+    Params params;
+    Stats& stats;
+    gpu::Profiler profiler;
+    gpu::Texture map;
+    gpu::Program surface, range, refract;
+    gpu::Layers fronts, backs, distances;
+    gpu::Canvas canvas;
+    gpu::Buffer block, colours, paths, depthRange;
+    Geometry geometry;
+    gpu::Triangles triangles;
+    ImageSpaceParams values{};
+
+    Impl(gpu::Device& onDevice, const Params& toDo, const std::optional<image::Image>& around,
+         Stats& toFill)
+        : device(onDevice), params(toDo), stats(toFill), profiler(toFill) {
+        const camera::Camera& camera = params.camera;
+        requireFit(around);
+        profiler.begin("shaders");
+        const bool isr = params.method == Method::isr;
+        surface = gpu::Program(device, "imagespace/surface.vert.glsl",
+                               "imagespace/surface.frag.glsl", {{"PEELS", 0}, {"EXTRA", isr}});
+        range = gpu::Program(device, "imagespace/range.comp.glsl", {});
+        refract =
+            gpu::Program(device, "imagespace/overall.vert.glsl", "imagespace/refract.frag.glsl",
+                         {{"METHOD", methodNumber(params.method)},
+                          {"MAP", around.has_value()},
+                          {"PATHS", wantsPaths(params)}});
+        profiler.end();
+        profiler.begin("surroundings");
+        map = camera::makeMap(device, around);
+        profiler.end();
+        const int width = camera.width, rows = camera.rows;
+        fronts = gpu::Layers(device, width, rows, 1, 1, kFormat);
+        if (params.method != Method::sir)
+            backs = gpu::Layers(device, width, rows, 1, kLevels, kFormat);
+        if (isr) distances = gpu::Layers(device, width, rows, 1, 1, kFormat);
+        canvas = gpu::Canvas(device, width, rows);
+        block = gpu::Buffer(device, sizeof values);
+        const std::int64_t pixels = std::int64_t{width} * rows;
+        colours = gpu::Buffer(device, pixels * 16);
+        const auto path = static_cast<std::int64_t>(sizeof(SurfacePath));
+        paths = gpu::Buffer(device, wantsPaths(params) ? pixels * path : path);
+        depthRange = gpu::Buffer(device, 8);
+        setValues(around);
+    }
+
+    void requireFit(const std::optional<image::Image>& around) const {
+        const int width = params.camera.width, rows = params.camera.rows;
+        const std::int64_t pixels = std::int64_t{width} * rows;
+        std::vector<gpu::Need> needs{
+            {"the layers of surfaces",
+             gpu::Layers::bytesFor(width, rows, 3, kLevels, kFormat) + pixels * 4, false, 0,
+             std::max(width, rows)},
+            {"the picture", pixels * 16, true}};
+        if (wantsPaths(params))
+            needs.push_back(
+                {"the rays' paths", pixels * static_cast<std::int64_t>(sizeof(SurfacePath)), true});
+        if (around) needs.push_back(camera::mapNeed(*around));
+        device.requireFit(needs);
+    }
+
+    void setValues(const std::optional<image::Image>& around) {
+        const camera::Camera& camera = params.camera;
+        const double half =
+            camera.parallel ? 0.5 * camera.height : std::tan(glm::radians(0.5 * camera.fov));
+        values.window = vec4(half * camera.aspect(), half, camera.parallel ? 0 : 1, 0);
+        values.picture = ivec4(camera.width, camera.rows, 0, 0);
+        values.optics = vec4(params.ior, 0, 0, 0);
+        values.limits = ivec4(params.searchSteps, 0, 0, 0);
+        values.absorption = vec4(params.absorption, 0);
+        values.background = camera::backgroundValues(params, around);
+        const camera::CameraAxes axes = camera::axesOf(camera);
+        const glm::dmat3 rows = glm::transpose(
+            camera::mapFromFrame(params, glm::dmat3(axes.right, axes.up, axes.forward)));
+        values.mapFromCamera0 = vec4(rows[0], 0);
+        values.mapFromCamera1 = vec4(rows[1], 0);
+        values.mapFromCamera2 = vec4(rows[2], 0);
+    }
+
+    void upload() {
+        block.upload(&values, sizeof values);
+        block.bindUniform(kParamsBlock);
+    }
+
+    /// The back faces that are furthest, and between which depths they lie.
+    void drawBacks() {
+        profiler.begin("back faces");
+        std::vector<gpu::Canvas::Target> targets{{&backs, 0}};
+        if (params.method == Method::isr) targets.push_back({&distances, 0});
+        canvas.begin(targets, true);
+        canvas.draw(surface, triangles, gpu::Faces::back);
+        canvas.end(false);
+        profiler.end();
+        profiler.begin("mip levels");
+        backs.makeLevels();
+        profiler.end();
+        if (params.method != Method::dir) return;
+        profiler.begin("depth range");
+        const std::array<std::uint32_t, 2> none{~std::uint32_t{0} >> 1, 0};
+        depthRange.upload(none.data(), sizeof none);
+        depthRange.bindStorage(kDepthRangeBuffer);
+        backs.bindSampler(kBacksUnit);
+        const int runs = (params.camera.width + 31) / 32;
+        range.dispatch({runs * params.camera.rows, 1, 1});
+        gpu::barrier();
+        profiler.end();
+    }
+
+    void drawFronts() {
+        profiler.begin("front faces");
+        std::vector<gpu::Canvas::Target> targets{{&fronts, 0}};
+        if (params.method == Method::isr) targets.push_back({&distances, 0});
+        canvas.begin(targets, false);
+        canvas.draw(surface, triangles, gpu::Faces::front);
+        canvas.end(false);
+        profiler.end();
+    }
+
+    void drawRays() {
+        profiler.begin("refraction");
+        fronts.bindSampler(kFrontsUnit);
+        if (params.method != Method::sir) backs.bindSampler(kBacksUnit);
+        if (params.method == Method::isr) distances.bindSampler(kDistancesUnit2d);
+        if (map.name() != 0) map.bindSampler(kEnvironmentUnit);
+        colours.bindStorage(kColoursBuffer);
+        paths.bindStorage(kPixelPathsBuffer);
+        depthRange.bindStorage(kDepthRangeBuffer);
+        gpu::drawOverall(refract, params.camera.width, params.camera.rows);
+        gpu::barrier();
+        profiler.end();
+    }
+
+    image::Image picture() {
+        profiler.begin("download");
+        const size_t pixels =
+            static_cast<size_t>(params.camera.width) * static_cast<size_t>(params.camera.rows);
+        std::vector<vec4> shown(pixels);
+        colours.download(shown.data(), static_cast<std::int64_t>(pixels * sizeof(vec4)));
+        std::vector<SurfacePath> found(wantsPaths(params) ? pixels : 0);
+        if (!found.empty())
+            paths.download(found.data(), static_cast<std::int64_t>(pixels * sizeof(SurfacePath)));
+        profiler.end();
+        return assemble(params, shown, found);
+    }
+};
+
+Renderer::Renderer(gpu::Device& device, const Params& params,
+                   const std::optional<image::Image>& map, Stats& stats)
+    : mImpl(std::make_unique<Impl>(device, params, map, stats)) {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::setScene(const Body& body, const std::vector<Plate>&) {
+    Impl& my = *mImpl;
+    if (my.params.method == Method::isr && body.distances.size() != body.mesh.points.size())
+        throw InternalError("isr: not a distance for each point");
+    my.profiler.begin("upload");
+    my.geometry = geometryOf(
+        body.mesh, my.params.method == Method::isr ? body.distances : std::vector<float>{},
+        nullptr);
+    my.triangles = trianglesOf(my.device, my.geometry);
+    my.profiler.end();
+}
+
+image::Image Renderer::render(const Progress& progress) {
+    Impl& my = *mImpl;
+    const camera::Camera& camera = my.params.camera;
+    const Geometry* const all[] = {&my.geometry};
+    const Depths depths = depthsOf(camera, all);
+    my.values.cameraFromBody = cameraFromBody(camera, my.geometry);
+    const std::vector<glm::dvec2> places = camera::samplePattern(my.params.samples);
+    for (size_t k = 0; k < places.size(); ++k) {
+        my.values.clipFromCamera = clipFromCamera(camera, depths, places[k]);
+        my.values.pattern = vec4(places[k], 1.0 / my.params.samples, 0);
+        my.values.picture.z = static_cast<int>(k);
+        my.upload();
+        if (my.params.method != Method::sir) my.drawBacks();
+        my.drawFronts();
+        my.drawRays();
+        report(progress, static_cast<double>(k + 1) / my.params.samples);
+    }
+    image::Image picture = my.picture();
+    my.device.check("refraction in image space");
+    my.profiler.collect();
+    my.stats.count("rays", static_cast<double>(picture.area()) * my.params.samples);
+    my.stats.count("frames", 1);
+    my.stats.gpuPeakBytes = std::max(my.stats.gpuPeakBytes, my.device.peakBytes());
+    return picture;
+}
+
+} // namespace eikonal::imagespace

@@ -1,0 +1,6 @@
+// One triangle over all pixels.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+void main() {
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.5, 1.0);
+}
