@@ -30,10 +30,11 @@ demo: packages
 	$(MAKE) -f pipelines/bunny.mk BIN=$(BUILD)/bin OUT=$(OUT)
 	@echo "demo: look at $(OUT)/bunny.png ($(OUT)/bunny.exr has the radiance)"
 
-# Twenty-four frames of a light that moves round the bunny.
+# Bodies that deform, in image space beside the same frames through volumes: out/animation/contact.png,
+# and a film where ffmpeg is.
 animation: packages
 	$(MAKE) all
-	$(MAKE) -f pipelines/turning_light.mk BIN=$(BUILD)/bin OUT=$(OUT)
+	$(MAKE) -j $(JOBS) -f pipelines/animation.mk BIN=$(BUILD)/bin OUT=$(OUT)
 
 # In two minutes what a change most likely breaks; test-all takes some more for the long suites.
 CTEST := ctest --output-on-failure -j $(JOBS)
@@ -61,8 +62,9 @@ bench: packages
 	$(MAKE) all
 	cmake --build $(BUILD) -j $(JOBS) --target bench
 	$(MAKE) -f pipelines/bunny.mk OUT=$(OUT) data/bunny.off
+	$(MAKE) -f pipelines/models.mk
 	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench \
-	  --bunny data/bunny.off
+	  --bunny data/bunny.off --meshes data
 
 # What every knob that trades accuracy for time costs and gives: docs/accuracy.md and its plots.
 # ACCURACY=quick takes minutes, full most of an hour; stopped, it goes on where it was.

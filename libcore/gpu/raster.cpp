@@ -151,6 +151,8 @@ Canvas& Canvas::operator=(Canvas&& other) noexcept {
 }
 
 void Canvas::begin(const std::vector<Target>& targets, bool furthest) {
+    // A shader may read other layers of its targets.
+    glTextureBarrier();
     std::vector<GLenum> attachments;
     for (const Target& target : targets) {
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size());
@@ -201,17 +203,19 @@ bool Canvas::end(bool ask) {
     return any != 0;
 }
 
-void drawOverall(const Program& program, int width, int height) {
+void addOverall(const Program& program, const Texture& target) {
     GLuint framebuffer = 0, vertexArray = 0;
     glCreateFramebuffers(1, &framebuffer);
     glCreateVertexArrays(1, &vertexArray);
-    glNamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
-    glNamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target.name(), 0);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
+    glViewport(0, 0, target.size().x, target.size().y);
     glBindVertexArray(vertexArray);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
     program.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteVertexArrays(1, &vertexArray);
     glDeleteFramebuffers(1, &framebuffer);

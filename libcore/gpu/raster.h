@@ -90,7 +90,7 @@ private:
 };
 
 /// Runs the fragment program, whose vertex program makes one triangle of gl_VertexID 0 to 2, once
-/// for each pixel. It has no attachment and writes by itself.
-void drawOverall(const Program& program, int width, int height);
+/// for each pixel of a 2-D texture, to which it adds what it gives.
+void addOverall(const Program& program, const Texture& target);
 
 } // namespace eikonal::gpu

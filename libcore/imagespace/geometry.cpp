@@ -17,40 +17,53 @@ namespace {
 /// Makes vertices of corners: a point's are few, so that a list of them is searched from its start.
 class Vertices {
 public:
-    Vertices(size_t points, Geometry& geometry) : mFirst(points, kNone), mGeometry(geometry) {}
+    Vertices(size_t points, Geometry& geometry)
+        : mFirst(points, kNone),
+          mBefore(static_cast<std::uint32_t>(geometry.vertices.size() /
+                                             static_cast<size_t>(6 + geometry.extra))),
+          mGeometry(geometry) {}
 
     std::uint32_t of(std::uint32_t point, const vec3& normal, const auto& write) {
         std::uint32_t* link = &mFirst[point];
         while (*link != kNone) {
-            if (mNormals[*link] == normal) return *link;
+            if (mNormals[*link] == normal) return mBefore + *link;
             link = &mNext[*link];
         }
         const auto made = static_cast<std::uint32_t>(mNormals.size());
         *link = made;
         mNormals.push_back(normal);
-        mNext.push_back(kNone);
+        mNext.push_back(kNone); // may move what `link` points to
         write(mGeometry.vertices);
-        return made;
+        return mBefore + made;
     }
 
 private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> mFirst, mNext;
     std::vector<vec3> mNormals;
+    std::uint32_t mBefore; ///< other meshes' vertices
     Geometry& mGeometry;
 };
 
-} // namespace
+mesh::Box boxOf(const std::vector<const mesh::TriangleMesh*>& meshes) {
+    mesh::Box box;
+    for (const mesh::TriangleMesh* one : meshes) box.include(mesh::boundingBox(*one));
+    return box;
+}
 
-Geometry geometryOf(const mesh::TriangleMesh& mesh, std::span<const float> distances,
-                    const glm::vec3* albedo) {
+Geometry emptyIn(const mesh::Box& box, int extra) {
     Geometry geometry;
-    const mesh::Box box = mesh::boundingBox(mesh);
     geometry.middle = 0.5 * (box.min + box.max);
     geometry.radius = 0.5 * glm::length(box.max - box.min);
-    geometry.extra = albedo ? 3 : distances.empty() ? 0 : 1;
-    geometry.vertices.reserve(mesh.points.size() * static_cast<size_t>(6 + geometry.extra));
-    geometry.indices.reserve(mesh.triangles.size() * 3);
+    geometry.extra = extra;
+    return geometry;
+}
+
+/// `extraOf(out, point)` writes what a vertex has beside place and normal.
+void add(Geometry& geometry, const mesh::TriangleMesh& mesh, const auto& extraOf) {
+    geometry.vertices.reserve(geometry.vertices.size() +
+                              mesh.points.size() * static_cast<size_t>(6 + geometry.extra));
+    geometry.indices.reserve(geometry.indices.size() + mesh.triangles.size() * 3);
     Vertices vertices(mesh.points.size(), geometry);
     for (size_t f = 0; f < mesh.triangles.size(); ++f) {
         const glm::uvec3& face = mesh.triangles[f];
@@ -65,13 +78,31 @@ Geometry geometryOf(const mesh::TriangleMesh& mesh, std::span<const float> dista
             geometry.indices.push_back(vertices.of(face[k], normal, [&](std::vector<float>& out) {
                 const vec3 place(mesh.points[face[k]] - geometry.middle);
                 out.insert(out.end(), {place.x, place.y, place.z, normal.x, normal.y, normal.z});
-                if (albedo)
-                    out.insert(out.end(), {albedo->x, albedo->y, albedo->z});
-                else if (!distances.empty())
-                    out.push_back(distances[face[k]]);
+                extraOf(out, face[k]);
             }));
         }
     }
+}
+
+} // namespace
+
+Geometry geometryOf(const Body& body) {
+    Geometry geometry = emptyIn(mesh::boundingBox(body.mesh), body.distances.empty() ? 0 : 1);
+    add(geometry, body.mesh, [&](std::vector<float>& out, std::uint32_t point) {
+        if (!body.distances.empty()) out.push_back(body.distances[point]);
+    });
+    return geometry;
+}
+
+Geometry geometryOf(const std::vector<Plate>& plates) {
+    std::vector<const mesh::TriangleMesh*> meshes;
+    for (const Plate& plate : plates) meshes.push_back(&plate.mesh);
+    Geometry geometry = emptyIn(boxOf(meshes), 3);
+    for (const Plate& plate : plates)
+        add(geometry, plate.mesh, [&](std::vector<float>& out, std::uint32_t) {
+            const vec3 albedo(plate.albedo);
+            out.insert(out.end(), {albedo.x, albedo.y, albedo.z});
+        });
     return geometry;
 }
 

@@ -20,10 +20,12 @@ struct Geometry {
     int extra = 0; ///< floats a vertex beside place and normal
 };
 
-/// Corners of one point and normal are one vertex. `distances`, one a point, are a further float;
-/// `albedo`, if not null, three.
-Geometry geometryOf(const mesh::TriangleMesh& mesh, std::span<const float> distances,
-                    const glm::vec3* albedo);
+/// Corners of one point and normal are one vertex. Where there are distances, one a point, they are
+/// a further float of it.
+Geometry geometryOf(const Body& body);
+
+/// All of them in one; a vertex has its plate's albedo, three further floats.
+Geometry geometryOf(const std::vector<Plate>& plates);
 
 gpu::Triangles trianglesOf(gpu::Device& device, const Geometry& geometry);
 

@@ -3,14 +3,17 @@
 #include "imagespace/imagespace.h"
 
 #include "base/error.h"
+#include "camera/irradiance.h"
 #include "camera/pattern.h"
 #include "gpu/raster.h"
+#include "imagespace/follow.h"
 #include "imagespace/geometry.h"
 #include "imagespace/picture.h"
 #include "mesh/check.h"
 
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 namespace eikonal::imagespace {
@@ -48,12 +51,19 @@ std::vector<Effect> effectsOf(const Params& params, bool hasMap) {
     const bool absorbs = params.absorption != glm::dvec3(0);
     const bool exits = params.method != Method::sir;
     return {
-        {"refraction", true, exits ? "two interfaces" : "one interface, by --method sir"},
+        {"refraction", true,
+         params.layers > 0 ? "all interfaces that --layers keeps"
+         : exits           ? "two interfaces"
+                           : "one interface, by --method sir"},
         {"absorption", absorbs && exits,
          !absorbs ? "no --absorption"
          : exits  ? "--absorption, along the way that is found"
                   : "sir finds no way through"},
-        {"reflection", true, "of the surroundings, by Fresnel's law"},
+        {"reflection", true,
+         params.layers > 0 ? "by Fresnel's law, on to what it meets"
+                           : "of the surroundings, by Fresnel's law"},
+        {"total_reflection", params.layers > 0,
+         params.layers > 0 ? "--layers" : "rays leave along the surface: no --layers"},
         {"environment", hasMap || glows,
          hasMap  ? "--env"
          : glows ? "--background"
@@ -74,16 +84,35 @@ struct Renderer::Impl {
     gpu::Program surface, range, refract;
     gpu::Layers fronts, backs, distances;
     gpu::Canvas canvas;
-    gpu::Buffer block, colours, paths, depthRange;
-    Geometry geometry;
-    gpu::Triangles triangles;
+    gpu::Texture colours;
+    gpu::Buffer block, paths, depthRange;
+    std::optional<image::Image> around;
+    Geometry geometry, plateGeometry;
+    gpu::Triangles triangles, plateTriangles;
+    std::optional<Follower> follower;
     ImageSpaceParams values{};
 
-    Impl(gpu::Device& onDevice, const Params& toDo, const std::optional<image::Image>& around,
+    Impl(gpu::Device& onDevice, const Params& toDo, const std::optional<image::Image>& surroundings,
          Stats& toFill)
-        : device(onDevice), params(toDo), stats(toFill), profiler(toFill) {
+        : device(onDevice), params(toDo), stats(toFill), profiler(toFill), around(surroundings) {
         const camera::Camera& camera = params.camera;
-        requireFit(around);
+        requireFit(false);
+        profiler.begin("surroundings");
+        map = camera::makeMap(device, around);
+        profiler.end();
+        canvas = gpu::Canvas(device, camera.width, camera.rows);
+        block = gpu::Buffer(device, sizeof values);
+        const std::int64_t pixels = std::int64_t{camera.width} * camera.rows;
+        colours =
+            gpu::Texture(device, {camera.width, camera.rows, 0}, kFormat, gpu::Filter::nearest);
+        const auto path = static_cast<std::int64_t>(sizeof(SurfacePath));
+        paths = gpu::Buffer(device, wantsPaths(params) ? pixels * path : path);
+        setValues();
+        if (params.layers == 0) makeTwoInterfaces();
+    }
+
+    void makeTwoInterfaces() {
+        const camera::Camera& camera = params.camera;
         profiler.begin("shaders");
         const bool isr = params.method == Method::isr;
         surface = gpu::Program(device, "imagespace/surface.vert.glsl",
@@ -95,32 +124,36 @@ struct Renderer::Impl {
                           {"MAP", around.has_value()},
                           {"PATHS", wantsPaths(params)}});
         profiler.end();
-        profiler.begin("surroundings");
-        map = camera::makeMap(device, around);
-        profiler.end();
+
         const int width = camera.width, rows = camera.rows;
         fronts = gpu::Layers(device, width, rows, 1, 1, kFormat);
         if (params.method != Method::sir)
             backs = gpu::Layers(device, width, rows, 1, kLevels, kFormat);
         if (isr) distances = gpu::Layers(device, width, rows, 1, 1, kFormat);
-        canvas = gpu::Canvas(device, width, rows);
-        block = gpu::Buffer(device, sizeof values);
-        const std::int64_t pixels = std::int64_t{width} * rows;
-        colours = gpu::Buffer(device, pixels * 16);
-        const auto path = static_cast<std::int64_t>(sizeof(SurfacePath));
-        paths = gpu::Buffer(device, wantsPaths(params) ? pixels * path : path);
         depthRange = gpu::Buffer(device, 8);
-        setValues(around);
     }
 
-    void requireFit(const std::optional<image::Image>& around) const {
+    void makeFollower() {
+        const bool plates = plateGeometry.extra > 0;
+        requireFit(plates);
+        profiler.begin("shaders");
+        follower.emplace(device, params, around.has_value(), plates);
+        profiler.end();
+        if (!plates) return;
+        const camera::Irradiance irradiance = camera::irradianceFrom(params, around);
+        for (size_t k = 0; k < irradiance.size(); ++k)
+            values.irradiance[k] = vec4(irradiance[k], 0);
+    }
+
+    void requireFit(bool plates) const {
         const int width = params.camera.width, rows = params.camera.rows;
         const std::int64_t pixels = std::int64_t{width} * rows;
-        std::vector<gpu::Need> needs{
-            {"the layers of surfaces",
-             gpu::Layers::bytesFor(width, rows, 3, kLevels, kFormat) + pixels * 4, false, 0,
-             std::max(width, rows)},
-            {"the picture", pixels * 16, true}};
+        std::vector<gpu::Need> needs{{"the picture", pixels * 16, false, 0, std::max(width, rows)}};
+        if (params.layers > 0)
+            for (const gpu::Need& need : Follower::needs(params, plates)) needs.push_back(need);
+        else
+            needs.push_back({"the layers of surfaces",
+                             gpu::Layers::bytesFor(width, rows, 3, kLevels, kFormat)});
         if (wantsPaths(params))
             needs.push_back(
                 {"the rays' paths", pixels * static_cast<std::int64_t>(sizeof(SurfacePath)), true});
@@ -128,14 +161,14 @@ struct Renderer::Impl {
         device.requireFit(needs);
     }
 
-    void setValues(const std::optional<image::Image>& around) {
+    void setValues() {
         const camera::Camera& camera = params.camera;
         const double half =
             camera.parallel ? 0.5 * camera.height : std::tan(glm::radians(0.5 * camera.fov));
         values.window = vec4(half * camera.aspect(), half, camera.parallel ? 0 : 1, 0);
         values.picture = ivec4(camera.width, camera.rows, 0, 0);
-        values.optics = vec4(params.ior, 0, 0, 0);
-        values.limits = ivec4(params.searchSteps, 0, 0, 0);
+        values.optics = vec4(params.ior, params.cutoff, 0, 0);
+        values.limits = ivec4(params.searchSteps, 0, params.maxDepth, 0);
         values.absorption = vec4(params.absorption, 0);
         values.background = camera::backgroundValues(params, around);
         const camera::CameraAxes axes = camera::axesOf(camera);
@@ -144,6 +177,9 @@ struct Renderer::Impl {
         values.mapFromCamera0 = vec4(rows[0], 0);
         values.mapFromCamera1 = vec4(rows[1], 0);
         values.mapFromCamera2 = vec4(rows[2], 0);
+        values.worldFromCamera0 = vec4(axes.right, 0);
+        values.worldFromCamera1 = vec4(axes.up, 0);
+        values.worldFromCamera2 = vec4(axes.forward, 0);
     }
 
     void upload() {
@@ -185,16 +221,38 @@ struct Renderer::Impl {
         profiler.end();
     }
 
+    void bindPicture() {
+        if (map.name() != 0) map.bindSampler(kEnvironmentUnit);
+        colours.bindImage(kColoursImage);
+        paths.bindStorage(kPixelPathsBuffer);
+    }
+
+    void drawTwoInterfaces() {
+        values.cameraFromBody = cameraFromBody(params.camera, geometry);
+        upload();
+        if (params.method != Method::sir) drawBacks();
+        drawFronts();
+        drawRays();
+    }
+
+    void drawPaths() {
+        const Drawn body{&triangles, cameraFromBody(params.camera, geometry)};
+        Drawn plates{nullptr, glm::mat4(1)};
+        if (plateGeometry.extra > 0)
+            plates = {&plateTriangles, cameraFromBody(params.camera, plateGeometry)};
+        bindPicture();
+        follower->draw(
+            canvas, body, plates, values, [&] { upload(); }, profiler);
+    }
+
     void drawRays() {
         profiler.begin("refraction");
+        bindPicture();
         fronts.bindSampler(kFrontsUnit);
         if (params.method != Method::sir) backs.bindSampler(kBacksUnit);
         if (params.method == Method::isr) distances.bindSampler(kDistancesUnit2d);
-        if (map.name() != 0) map.bindSampler(kEnvironmentUnit);
-        colours.bindStorage(kColoursBuffer);
-        paths.bindStorage(kPixelPathsBuffer);
         depthRange.bindStorage(kDepthRangeBuffer);
-        gpu::drawOverall(refract, params.camera.width, params.camera.rows);
+        gpu::addOverall(refract, colours);
         gpu::barrier();
         profiler.end();
     }
@@ -219,33 +277,39 @@ Renderer::Renderer(gpu::Device& device, const Params& params,
 
 Renderer::~Renderer() = default;
 
-void Renderer::setScene(const Body& body, const std::vector<Plate>&) {
+void Renderer::setScene(const Body& body, const std::vector<Plate>& plates) {
     Impl& my = *mImpl;
     if (my.params.method == Method::isr && body.distances.size() != body.mesh.points.size())
         throw InternalError("isr: not a distance for each point");
     my.profiler.begin("upload");
-    my.geometry = geometryOf(
-        body.mesh, my.params.method == Method::isr ? body.distances : std::vector<float>{},
-        nullptr);
+    my.geometry = geometryOf(body);
     my.triangles = trianglesOf(my.device, my.geometry);
+    my.plateGeometry = plates.empty() ? Geometry{} : geometryOf(plates);
+    if (!plates.empty()) my.plateTriangles = trianglesOf(my.device, my.plateGeometry);
     my.profiler.end();
+    if (my.params.layers > 0 && !my.follower) my.makeFollower();
 }
 
 image::Image Renderer::render(const Progress& progress) {
     Impl& my = *mImpl;
     const camera::Camera& camera = my.params.camera;
-    const Geometry* const all[] = {&my.geometry};
+    std::vector<const Geometry*> all{&my.geometry};
+    if (my.plateGeometry.extra > 0) all.push_back(&my.plateGeometry);
     const Depths depths = depthsOf(camera, all);
-    my.values.cameraFromBody = cameraFromBody(camera, my.geometry);
+    my.values.depths = vec4(depths.near, depths.far, 0, 0);
+    for (const Geometry* one : all)
+        my.values.depths.z +=
+            static_cast<float>(glm::length(one->middle - my.geometry.middle) + 2 * one->radius);
     const std::vector<glm::dvec2> places = camera::samplePattern(my.params.samples);
     for (size_t k = 0; k < places.size(); ++k) {
         my.values.clipFromCamera = clipFromCamera(camera, depths, places[k]);
         my.values.pattern = vec4(places[k], 1.0 / my.params.samples, 0);
         my.values.picture.z = static_cast<int>(k);
-        my.upload();
-        if (my.params.method != Method::sir) my.drawBacks();
-        my.drawFronts();
-        my.drawRays();
+        if (k == 0) my.colours.clear();
+        if (my.follower)
+            my.drawPaths();
+        else
+            my.drawTwoInterfaces();
         report(progress, static_cast<double>(k + 1) / my.params.samples);
     }
     image::Image picture = my.picture();
@@ -253,6 +317,10 @@ image::Image Renderer::render(const Progress& progress) {
     my.profiler.collect();
     my.stats.count("rays", static_cast<double>(picture.area()) * my.params.samples);
     my.stats.count("frames", 1);
+    if (my.follower) {
+        my.stats.raise("layers_used", my.follower->layersUsed());
+        my.stats.raise("rays_lost_within", my.follower->lost());
+    }
     my.stats.gpuPeakBytes = std::max(my.stats.gpuPeakBytes, my.device.peakBytes());
     return picture;
 }

@@ -13,7 +13,7 @@ using glm::vec4;
 #include "shared/bindings.h"
 #include "shared/imagespace_params.h"
 
-static_assert(sizeof(ImageSpaceParams) == 2 * 64 + 10 * 16);
+static_assert(sizeof(ImageSpaceParams) == 2 * 64 + 23 * 16);
 static_assert(sizeof(SurfacePath) == 64);
 
 } // namespace eikonal::imagespace

@@ -13,8 +13,9 @@ vec3 mapAt(vec2 uv, bool byEdges) {
     vec2 low = floor(p);
     vec2 share = p - low;
     ivec2 a = ivec2(low);
-    int left = byEdges ? clamp(a.x, 0, size.x - 1) : (a.x + size.x) % size.x;
-    int right = byEdges ? clamp(a.x + 1, 0, size.x - 1) : (a.x + 1 + size.x) % size.x;
+    // Not by %: software devices divide integers one by one.
+    int left = byEdges ? clamp(a.x, 0, size.x - 1) : a.x < 0 ? a.x + size.x : a.x;
+    int right = byEdges ? clamp(a.x + 1, 0, size.x - 1) : a.x + 1 < size.x ? a.x + 1 : a.x + 1 - size.x;
     int top = clamp(a.y, 0, size.y - 1);
     int bottom = clamp(a.y + 1, 0, size.y - 1);
     vec3 upper = mix(texelFetch(environment, ivec2(left, top), 0).xyz,

@@ -27,7 +27,9 @@ layout(std430, binding = kDepthRangeBuffer) readonly buffer Range { uint least; 
 
 #include "camera/environment.glsl"
 #include "imagespace/view.glsl"
-#include "imagespace/record.glsl"
+#include "imagespace/paths.glsl"
+
+layout(location = 0) out vec4 colour; // of the pixel, to which it is added
 
 // Where a ray leaves, as far as image space tells.
 struct Exit {
@@ -137,5 +139,6 @@ void main() {
         path = SurfacePath(vec4(found.x, n * extent), vec4(leaves, extent), vec4(through * kept, float(found.probes)),
                            vec4(0.0, 0.0, 0.0, 1.0));
     } else light = surroundingsLight(view);
-    record(pixel, light, hit, path);
+    colour = params.pattern.z * vec4(light, hit ? 1.0 : 0.0);
+    recordPath(pixel, path);
 }

@@ -13,9 +13,9 @@ const bool kPeels = PEELS == 1;
 layout(std140, binding = kParamsBlock) uniform Params { ImageSpaceParams params; };
 layout(location = 0) in vec3 normal;
 layout(location = 1) in float depth;
-layout(location = 2) in vec3 extra;
 layout(location = 0) out vec4 surface;
 #if EXTRA == 1
+layout(location = 2) in vec3 extra;
 layout(location = 1) out vec4 beside;
 #endif
 #if PEELS == 1

@@ -9,12 +9,16 @@ layout(location = 1) in vec3 cornerNormal; // outward, length 1
 layout(location = 2) in vec3 cornerExtra;  // x: distance along the normal [unit]; of a plate: albedo
 layout(location = 0) out vec3 normal;
 layout(location = 1) out float depth;
+#if EXTRA == 1
 layout(location = 2) out vec3 extra;
+#endif
 
 void main() {
     vec4 place = params.cameraFromBody * vec4(cornerPlace, 1.0);
     normal = mat3(params.cameraFromBody) * cornerNormal;
     depth = place.z;
+#if EXTRA == 1
     extra = cornerExtra;
+#endif
     gl_Position = params.clipFromCamera * place;
 }

@@ -6,7 +6,7 @@ struct ImageSpaceParams {
     mat4 cameraFromBody;
     mat4 clipFromCamera; // y down; depths from 0, far, to 1, near
     vec4 window;     // xy: half width and height of the view, at depth 1 or parallel [unit]; z: 1 perspective,
-                     // 0 parallel; w: the length that counts as none [unit]
+                     // 0 parallel
     ivec4 picture;   // width, rows; z: rays of a pixel before this one
     vec4 pattern;    // xy: where in its pixel a ray goes; z: a ray's share of its pixel
     vec4 optics;     // x: index of the body; y: share below which a reflection is not followed
@@ -16,6 +16,11 @@ struct ImageSpaceParams {
     vec4 mapFromCamera0; // rows of the turn to the environment map's frame
     vec4 mapFromCamera1;
     vec4 mapFromCamera2;
+    vec4 depths;           // x, y: of the nearest and the furthest point; z: how far a ray goes at most [unit]
+    vec4 worldFromCamera0; // columns
+    vec4 worldFromCamera1;
+    vec4 worldFromCamera2;
+    vec4 irradiance[9]; // on plates, see camera/irradiance.h
 };
 
 // One pixel's first ray, beside its colour.

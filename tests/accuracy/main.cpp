@@ -1,5 +1,6 @@
 // accuracy: what every knob that trades accuracy for time costs and gives, and whether bars are
 // met. SPDX-License-Identifier: GPL-3.0-or-later
+#include "image_space.h"
 #include "report.h"
 
 #include "base/error.h"
@@ -29,7 +30,8 @@ void run(const std::string& work, const std::string& json, const std::string& pa
         {"library", libraryVersion()}, {"device", device.info().renderer}, {"program", kProgram}};
     Bench bench{device, work, effort == "full", version};
     std::vector<Task> tasks;
-    for (const auto& part : {rayTasks, orderTasks, chainTasks, sharpTasks, glassTasks, lightTasks})
+    for (const auto& part :
+         {rayTasks, orderTasks, chainTasks, sharpTasks, glassTasks, imageTasks, lightTasks})
         for (Task& task : part(bench))
             if (task.label.find(only) != std::string::npos) tasks.push_back(std::move(task));
     const std::vector<Json> rows = runTasks(tasks, work + "/rows.jsonl");

@@ -1,6 +1,8 @@
 // docs/accuracy.md, from the rows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
+
+#include "image_space.h"
 #include "page.h"
 
 #include <algorithm>
@@ -246,7 +248,7 @@ std::string pageOf(const std::vector<Json>& rows, const Summary& summary, const 
     writeSettings(out, rows, summary);
     writeOrders(out, summary);
     writeChain(out, rows);
-    out << sharpSection(rows);
+    out << sharpSection(rows) << imageSection(rows);
     writeLight(out, rows);
     writeLimits(out);
     return out.str();

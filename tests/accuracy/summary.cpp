@@ -1,5 +1,6 @@
 // Means over the fields, the frontier, observed orders, and the bars.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "image_space.h"
 #include "page.h"
 #include "report.h"
 
@@ -301,6 +302,7 @@ Summary summarise(const std::vector<Json>& rows) {
     judgeOrbits(summary, rows);
     judgeNoise(summary, rows);
     judgeSharp(summary, rows);
+    judgeImages(summary, rows);
     return summary;
 }
 

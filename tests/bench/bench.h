@@ -19,6 +19,7 @@ struct Settings {
     std::string work;   ///< folder for files made on the way
     std::string device; ///< --device
     std::string bunny;  ///< mesh file, or ""
+    std::string meshes; ///< folder of pipelines/models.mk, or ""
     int repeats = 5;    ///< of each measurement; the median counts
 };
 
@@ -49,6 +50,8 @@ Json measureSurfaces(const Settings& settings);
 Json measureFronts(const Settings& settings);
 /// Beams under waves with and without their hierarchy: Barczak and Olano's tables 1 and 2.
 Json measureHierarchy(const Settings& settings);
+/// Methods in image space on six meshes at 512²: Oliveira and Brauwers 2007, table 1.
+Json measureImageSpace(const Settings& settings);
 /// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.
 Json measureTables(const Settings& settings);
 

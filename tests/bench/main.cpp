@@ -35,15 +35,17 @@ void printTable(const char* title, const Json& rows) {
 int main(int argc, char** argv) {
     Settings settings;
     settings.device = "auto";
-    std::string json, parts = "kernels,sharp,stages,steps,surfaces,fronts,hierarchy,tables";
+    std::string json, parts = "kernels,sharp,stages,steps,surfaces,fronts,hierarchy,images,tables";
     CLI::App app("Times the toolchain.", "bench");
     app.add_option("--bin", settings.bin, "folder of the tools")->required();
     app.add_option("--work", settings.work, "folder for scratch files")->required();
     app.add_option("--json", json, "file for the results")->required();
     app.add_option("--device", settings.device, "as the tools' option");
     app.add_option("--bunny", settings.bunny, "mesh for table 2");
+    app.add_option("--meshes", settings.meshes, "folder of meshes, for images");
     app.add_option("--repeats", settings.repeats, "of each measurement");
-    app.add_option("--parts", parts, "which of kernels,sharp,stages,steps,surfaces,fronts,hierarchy,tables");
+    app.add_option("--parts", parts,
+                   "which of kernels,sharp,stages,steps,surfaces,fronts,hierarchy,images,tables");
     CLI11_PARSE(app, argc, argv);
     try {
         std::filesystem::create_directories(settings.work);
@@ -77,6 +79,10 @@ int main(int argc, char** argv) {
         if (parts.find("hierarchy") != parts.npos) {
             result["hierarchy"] = measureHierarchy(settings);
             printTable("tables 1 and 2 of Barczak and Olano", result["hierarchy"]);
+        }
+        if (parts.find("images") != parts.npos) {
+            result["images"] = measureImageSpace(settings);
+            printTable("table 1 of Oliveira and Brauwers 2007", result["images"]);
         }
         if (parts.find("tables") != parts.npos) {
             result["tables"] = measureTables(settings);

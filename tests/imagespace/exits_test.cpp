@@ -71,9 +71,9 @@ TEST_P(BallExits, AreThoseOfTwoInterfaces) {
     params.searchSteps = 20;
     const Errors errors = ballErrors(params, 0.7);
     EXPECT_GT(errors.rays, 4000);
-    EXPECT_LT(errors.mean, 0.1);
-    EXPECT_LT(errors.worst, 0.7);
-    EXPECT_LT(errors.place, 0.03);
+    EXPECT_LT(errors.mean, 0.02);
+    EXPECT_LT(errors.worst, 0.15);
+    EXPECT_LT(errors.place, 0.02);
 }
 
 // The source's error bound: each step halves what is left of the range, until texels limit it.

@@ -75,7 +75,7 @@ test_bad_usage() {
 
 test_what_is_missing_is_told_at_once() {
     refuses 64
-    says 'not given: --output, IN.vdb, --eye, --target, --size, --fov or --ortho'
+    says 'not given: --output, IN.vdb|MESH, --eye, --target, --size, --fov or --ortho'
     refuses 64 in.vdb --eye 0,0,5 --fov 30 -o out.exr
     says 'not given: --target, --size '
     refuses 64 in.vdb $aim --fov 30 --sise 16x12 -o out.exr
