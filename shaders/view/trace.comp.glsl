@@ -150,12 +150,14 @@ void onSurface(inout Path path, inout Load load, Interface at) {
 
 #include "view/branches.glsl"
 
-// To where opaque voxels begin, between the last point outside them and the one inside.
+// To where opaque voxels begin, between the last point outside them and the one inside. That may lie before
+// the path's end, since a piece is gathered whole whose middle is outside them: then a way of less than 0 takes
+// back what is too much.
 void reachVoxels(inout Path path, inout Load load) {
     vec3 inside = opaqueBetween(load.clear, load.inside);
     float n = length(path.ray.w);
     vec3 direction = path.ray.w / n;
-    float extent = max(dot(inside - path.ray.x, direction), 0.0);
+    float extent = dot(inside - path.ray.x, direction);
     if (kGathers)
         gather(path, load, 0.5 * (path.ray.x + inside), direction, extent, n, 0);
     if (kMeasures) path.lengths += dvec2(extent * n, extent);

@@ -29,14 +29,16 @@ inline Params perspective(const glm::dvec3& eye, const glm::dvec3& target, doubl
 }
 
 struct Look {
-    Look(std::vector<volume::Volume> volumes, const Params& params,
+    Look(const scene::Files& files, const Params& params,
          const std::optional<image::Image>& map = {}) {
         params.check();
-        const scene::Files files(std::move(volumes));
         plan = makePlan(files, params, map.has_value());
         picture = render(device(), plan, params, map, stats, {});
         for (const float value : picture.pixels) EXPECT_TRUE(std::isfinite(value));
     }
+    Look(std::vector<volume::Volume> volumes, const Params& params,
+         const std::optional<image::Image>& map = {})
+        : Look(scene::Files(std::move(volumes)), params, map) {}
     Look(volume::Volume volume, const Params& params, const std::optional<image::Image>& map = {})
         : Look(one(std::move(volume)), params, map) {}
 
