@@ -14,7 +14,7 @@ namespace wineglass {
 
 namespace {
 
-judge::Ray rayOf(const eikonal::view::Camera& camera, int x, int y) {
+judge::Ray rayOf(const eikonal::camera::Camera& camera, int x, int y) {
     const eikonal::camera::CameraAxes axes = eikonal::camera::axesOf(camera);
     const double height =
         camera.parallel ? camera.height : 2 * std::tan(glm::radians(camera.fov) / 2);

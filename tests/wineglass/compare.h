@@ -17,7 +17,7 @@ using glm::dvec3;
 
 struct Setting {
     judge::Revolved glass;        ///< [mm]
-    eikonal::view::Camera camera; ///< of the picture
+    eikonal::camera::Camera camera; ///< of the picture
     double voxel = 1;             ///< of the volume that was rendered [mm]
     double bowl = 60;             ///< above this y the glass is a wall of 1 mm [mm]
     /// The domain, where it is but a part of the glass: rays count that meet the glass within it
