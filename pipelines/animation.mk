@@ -28,7 +28,7 @@ include pipelines/bunny_scene.mk
 ROOM  := $(WORK)/room.exr
 GLASS := --ior 1.45 --absorption 0.3,0.12,0.2
 BUNNY_CAMERA  := --eye 0.7,0.35,2.9 --target 0,0.14,0 --fov 36
-FIGURE_CAMERA := --eye 1.0,1.35,4.6 --target 0,1.2,0 --fov 38
+FIGURE_CAMERA := --eye 1.0,1.35,4.6 --target 0,1.28,0 --fov 42
 
 # A sky, lamps in three colours, and large tiles on the ground.
 $(ROOM):
