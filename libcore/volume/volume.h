@@ -161,6 +161,9 @@ public:
     /// The same by bricks: what is even takes no memory. Numbers where the contract wants vectors
     /// stay one component.
     BrickGrid bricks(const std::string& grid, const IndexBox& box) const;
+    /// Of a grid of doubles what bricks() rounds off: by the same bricks the values less their
+    /// floats, themselves as floats. Empty where the floats are all there is to it.
+    BrickGrid remainders(const std::string& grid, const IndexBox& box) const;
     /// The active voxels of a grid of vectors that is finer than the scene, from the low corner of
     /// `box` on; empty if it is not there. Throws DataError if it does not subdivide the scene's
     /// voxels, or a value is against the contract.
