@@ -8,11 +8,12 @@ namespace eikonal::optics {
 
 namespace {
 
-constexpr double kZeroCelsius = 273.15;             // [K]
-constexpr double kStandardKelvin = 288.15;          // Ciddor's standard air is at 15 °C
-constexpr double kMolarMass = 28.9635e-3 + 6.01e-7; // of air with 450 ppm of CO₂ [kg/mol], below eq. 4
-constexpr double kGasConstant = 8.314510;           // [J/(mol K)], the value that Ciddor used
-constexpr double kColdest = -40, kHottest = 100;    // where the virial term is known [°C]
+constexpr double kZeroCelsius = 273.15;    // [K]
+constexpr double kStandardKelvin = 288.15; // Ciddor's standard air is at 15 °C
+constexpr double kMolarMass =
+    28.9635e-3 + 6.01e-7;                 // of air with 450 ppm of CO₂ [kg/mol], below eq. 4
+constexpr double kGasConstant = 8.314510; // [J/(mol K)], the value that Ciddor used
+constexpr double kColdest = -40, kHottest = 100; // where the virial term is known [°C]
 
 /// Of dry air (eq. 12): p V = Z n R T.
 double compressibility(double kelvin, double pascal) {

@@ -110,14 +110,15 @@ Field::Field(gpu::Device& device, const Index& index, const VoxelLayout& layout,
              const FieldOptions& options) {
     FieldParams values{};
     const bool linear = options.interpolation == Interpolation::linear;
-    values.scale = vec4(1.0f / vec3(linear ? layout.texels() : index.grid.size + ivec3(1, 4, 4)), 0);
+    values.scale =
+        vec4(1.0f / vec3(linear ? layout.texels() : index.grid.size + ivec3(1, 4, 4)), 0);
     values.high = vec4(vec3(index.grid.size - 1), options.unbiased ? 1 : 0);
     Samples plain = makeSamples(device, index.grid, index.rest, index.least, layout, options);
     mTexture = std::move(plain.texture);
     values.cubic = plain.cubic;
     if (!index.dispersed.page.empty()) {
-        Samples other = makeSamples(device, index.dispersed, index.dispersedRest,
-                                    index.least, layout, options);
+        Samples other =
+            makeSamples(device, index.dispersed, index.dispersedRest, index.least, layout, options);
         mDispersed = std::move(other.texture);
         values.dispersed = other.cubic;
     }

@@ -178,18 +178,16 @@ void disperse(Index& index, const Values& dispersion, const volume::IndexBox& bo
     volume::BrickGrid dispersed = gridAt(kDispersedTerm);
     // What that sum lacks, of an index in double.
     const auto restOf = [&](const ivec3& voxel, float* rest) {
-        const double sum = static_cast<double>(index.grid.at(voxel)) +
-                           static_cast<double>(index.rest.at(voxel)) +
-                           static_cast<double>(kDispersedTerm) *
-                               static_cast<double>(dispersion.at(voxel, 0));
+        const double sum =
+            static_cast<double>(index.grid.at(voxel)) + static_cast<double>(index.rest.at(voxel)) +
+            static_cast<double>(kDispersedTerm) * static_cast<double>(dispersion.at(voxel, 0));
         *rest = static_cast<float>(sum - static_cast<double>(dispersed.at(voxel)));
     };
     const Range range = rangeOf(dispersed);
     if (!index.varies() && range.least == range.most) return; // straight, whatever the wavelength
     widen(index, range);
     if (!index.rest.page.empty())
-        index.dispersedRest =
-            volume::makeBricks(box.size(), box.firstBrick(), 1, isEven, restOf);
+        index.dispersedRest = volume::makeBricks(box.size(), box.firstBrick(), 1, isEven, restOf);
     index.dispersed = std::move(dispersed);
     if (index.grid.page.empty()) index.grid = gridAt(0);
 }

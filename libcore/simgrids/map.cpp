@@ -87,9 +87,12 @@ private:
 
 std::string Map::text() const {
     switch (kind) {
-    case Kind::gladstoneDale: return "1 + " + toText(constant) + " x, x in kg/m³";
-    case Kind::air: return "that of dry air at x K and " + toText(pressure) + " Pa";
-    default: break;
+    case Kind::gladstoneDale:
+        return "1 + " + toText(constant) + " x, x in kg/m³";
+    case Kind::air:
+        return "that of dry air at x K and " + toText(pressure) + " Pa";
+    default:
+        break;
     }
     const std::string shift = offset == glm::dvec3(0) ? "" : " + " + vectorText(offset);
     return vectorText(scale) + " x" + shift;

@@ -31,16 +31,19 @@ std::string nameIn(const Names& found, const std::string& grid) {
 /// What a file of smoke says without an option, as far as it has the grids.
 std::vector<Map> defaultMaps(const Names& found) {
     std::vector<Map> maps;
-    const auto add = [&](const char* to, const char* from) {
+    const auto add = [&](const char* to, const std::string& from) {
         Map map;
         map.to = to;
         map.from = from;
-        if (holds(found, from)) maps.push_back(map);
+        maps.push_back(map);
     };
-    add("scattering", "density");
-    add("emission", "flame");
+    if (holds(found, "density")) add("scattering", "density");
     // Houdini's older fires have heat beside a temperature; where it is alone it is one.
-    if (!holds(found, "flame") && holds(found, "temperature")) add("emission", "heat");
+    const std::string flame = nameIn(found, "flame");
+    if (holds(found, flame))
+        add("emission", flame);
+    else if (holds(found, "temperature") && holds(found, "heat"))
+        add("emission", "heat");
     return maps;
 }
 
@@ -56,8 +59,9 @@ std::vector<Map> inOrder(std::vector<Map> maps) {
             });
         });
         if (next == maps.end())
-            throw UsageError("--" + maps.front().to + "-from: found grids made of one another, "
-                                                      "expected an order to make them in");
+            throw UsageError("--" + maps.front().to +
+                             "-from: found grids made of one another, "
+                             "expected an order to make them in");
         order.push_back(*next);
         maps.erase(next);
     }
@@ -102,8 +106,8 @@ void Params::check() const {
     if (ambient)
         requireOption(*ambient > 0 && std::isfinite(*ambient), "--ambient", toText(*ambient),
                       "a temperature above 0 K");
-    const bool needed = std::any_of(maps.begin(), maps.end(),
-                                    [](const Map& map) { return map.kind == Kind::air; });
+    const bool needed =
+        std::any_of(maps.begin(), maps.end(), [](const Map& map) { return map.kind == Kind::air; });
     if (!needed && ambient) throw UsageError("--ambient: is for --ior-from GRID:air alone");
     if (!needed && (kelvinScale != 1 || kelvinOffset != 0))
         throw UsageError("--kelvin: is for --ior-from GRID:air alone");
@@ -138,8 +142,8 @@ Plan makePlan(const std::string& path, const Params& params) {
                         join(found, ", ") + "), expected one, or --ior-from and its like");
     }
     for (const std::string& to : targets()) {
-        const auto map = std::find_if(maps.begin(), maps.end(),
-                                      [&](const Map& one) { return one.to == to; });
+        const auto map =
+            std::find_if(maps.begin(), maps.end(), [&](const Map& one) { return one.to == to; });
         if (map == maps.end())
             plan.effects.push_back({to, false, "not asked for"});
         else

@@ -14,7 +14,8 @@
 namespace eikonal::simgrids {
 
 struct Params {
-    /// At most one a target; none: what kDefaultMaps names and the file has.
+    /// At most one a target; none: scattering of density, emission of flame, as far as they are
+    /// there.
     std::vector<Map> maps;
     /// What makes kelvins of a temperature grid's values: [K] = kelvinScale · v + kelvinOffset.
     double kelvinScale = 1, kelvinOffset = 0;
@@ -32,8 +33,8 @@ struct Plan {
     std::vector<Effect> effects;
 };
 
-/// The names in the file that a map's grid may have, the first that is there counting: Houdini's and
-/// Blender's names of one quantity. A name of no list is its own.
+/// The names in the file that a map's grid may have, the first that is there counting: Houdini's
+/// and Blender's names of one quantity. A name of no list is its own.
 std::vector<std::string> namesOf(const std::string& grid);
 
 /// Opens the file and settles names. Throws what Volume::open() does, and DataError where a grid is

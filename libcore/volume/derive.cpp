@@ -69,7 +69,7 @@ public:
                 if (met.fault.empty()) met.fault = each[c].fault;
             }
             // A voxel counts once, however many of its components are cut.
-            const auto any = [&](std::int64_t Cut::* side) {
+            const auto any = [&](std::int64_t Cut::*side) {
                 return std::any_of(each, each + 3, [=](const Met& m) { return m.cut.*side > 0; });
             };
             met.cut.below += any(&Cut::below) ? voxels : 0;
@@ -82,8 +82,8 @@ public:
 
     template<typename In> In outsideOr(const In& in) const {
         if (!mLaw.outside) return in;
-        return openvdb::zeroVal<In>() + static_cast<typename openvdb::VecTraits<In>::ElementType>(
-                                            *mLaw.outside);
+        return openvdb::zeroVal<In>() +
+               static_cast<typename openvdb::VecTraits<In>::ElementType>(*mLaw.outside);
     }
 
 private:

@@ -36,12 +36,14 @@ TEST(AirIndex, IsThatOfCiddorsTable) {
     // Ciddor 1996, table 1: dry air, 450 ppm of CO₂, 633.0 nm; given to 1e-9.
     const struct {
         double celsius, kilopascal, refractivity;
-    } rows[] = {{20, 80, 21458.0e-8},   {20, 100, 26824.4e-8},  {20, 120, 32191.6e-8},
-                {10, 100, 27774.7e-8},  {30, 100, 25937.2e-8}};
+    } rows[] = {{20, 80, 21458.0e-8},
+                {20, 100, 26824.4e-8},
+                {20, 120, 32191.6e-8},
+                {10, 100, 27774.7e-8},
+                {30, 100, 25937.2e-8}};
     for (const auto& row : rows)
-        EXPECT_NEAR(
-            optics::airRefractivity(row.celsius + 273.15, 1000 * row.kilopascal, 633),
-            row.refractivity, 1e-9);
+        EXPECT_NEAR(optics::airRefractivity(row.celsius + 273.15, 1000 * row.kilopascal, 633),
+                    row.refractivity, 1e-9);
 }
 
 TEST(AirIndex, FollowsTheGasLawInFlames) {
@@ -62,7 +64,8 @@ TEST_F(SimGrids, AnIndexOfATemperatureKeepsItsDigits) {
     make({kelvin}, {{"ior", "temperature:air"}});
     const VdbGrid ior = out("ior");
     EXPECT_EQ(ior.type(), "double");
-    // dn/dT = −0.93e-6 / K: that of a tenth of a kelvin, which no float near 1 holds, to 1e-6 of it.
+    // dn/dT = −0.93e-6 / K: that of a tenth of a kelvin, which no float near 1 holds, to 1e-6 of
+    // it.
     const double wanted = optics::airRefractivity(293.25, 101325, 587.6) -
                           optics::airRefractivity(double{293.15f}, 101325, 587.6);
     EXPECT_NEAR(ior.valueAt(kInside) - ior.valueAt(kBeside), wanted, 1e-6 * std::abs(wanted));
@@ -80,10 +83,8 @@ TEST_F(SimGrids, KelvinsAndWhatSurroundsThemAreTold) {
     params.ambient = 280;
     const VdbGrid heat = floats("temperature", 0.5f, 0);
     make({heat}, {{"ior", "temperature:air:90000"}}, params);
-    EXPECT_NEAR(out("ior").valueAt(kInside),
-                1 + optics::airRefractivity(440, 90000, 587.6), 1e-15);
-    EXPECT_NEAR(out("ior").valueAt(kBeside),
-                1 + optics::airRefractivity(280, 90000, 587.6), 1e-12);
+    EXPECT_NEAR(out("ior").valueAt(kInside), 1 + optics::airRefractivity(440, 90000, 587.6), 1e-15);
+    EXPECT_NEAR(out("ior").valueAt(kBeside), 1 + optics::airRefractivity(280, 90000, 587.6), 1e-12);
 }
 
 TEST_F(SimGrids, LinearMapsOfEveryKind) {
@@ -133,11 +134,13 @@ TEST_F(SimGrids, WhatIsNoNumberIsRefusedWithItsVoxel) {
     VdbGrid density = floats("density", 0.5f, 0);
     density.set({1, 2, 3}, NAN);
     for (const char* to : {"ior", "scattering"})
-        expectError(ExitStatus::data, {"in.vdb: grid 'density': voxel (1, 2, 3) is NaN"},
-                    [&] { make({density}, {{to, "density:1:1"}}); });
+        expectError(ExitStatus::data, {"in.vdb: grid 'density': voxel (1, 2, 3) is NaN"}, [&] {
+            make({density}, {{to, "density:1:1"}});
+        });
     const VdbGrid steps("density", VdbGrid::Type::int32, glm::dvec3(0));
-    expectError(ExitStatus::data, {"grid 'density' holds int32"},
-                [&] { make({floats("fuel"), steps}, {{"scattering", "density:1"}}); });
+    expectError(ExitStatus::data, {"grid 'density' holds int32"}, [&] {
+        make({floats("fuel"), steps}, {{"scattering", "density:1"}});
+    });
 }
 
 TEST_F(SimGrids, CutsAreCountedByActiveVoxels) {

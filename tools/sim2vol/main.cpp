@@ -20,8 +20,8 @@ std::string helpOf(const std::string& target) {
     if (target == "ior")
         return "the refractive index at 587.6 nm, stored in double. gladstone-dale: 1 + K x of a "
                "density x [kg/m³] (default K: dry air's, " +
-               toText(static_cast<float>(
-                   optics::gladstoneDaleOfAir(optics::kReferenceWavelength))) +
+               toText(
+                   static_cast<float>(optics::gladstoneDaleOfAir(optics::kReferenceWavelength))) +
                " m³/kg). air: that of dry air at a temperature x [K] and PRESSURE [Pa] (default: " +
                toText(optics::kStandardPressure) + "), by Ciddor 1996. Or SCALE x + OFFSET";
     if (target == "sdf") return "signed distance [unit] of a level set: SCALE x";
@@ -53,10 +53,11 @@ void addOptions(CLI::App& app, Options& o) {
     app.footer("Without --...-from: scattering is density and emission is flame (Houdini, "
                "Blender), where they are, or heat beside temperature (older Houdini); x 1, per "
                "unit of length.\n"
-               "Names: a GRID that is not there is looked for under another name: temperature "
-               "as heat; flame as flames, burn; vel as velocity. density, fuel and color "
-               "are called so by both. A grid of vectors (color, vel) can be made into "
-               "one that has vectors, component by component.\n"
+               "Names: a GRID that is not there is looked for under another name: temperature as "
+               "heat, flame as flames or burn, vel as velocity. So Houdini's density, temperature, "
+               "heat, fuel, vel and Blender's density, temperature or heat, flame, fuel, color, "
+               "velocity are found. A grid of vectors (color, vel) makes grids of vectors, "
+               "component by component.\n"
                "All other grids are copied. Grids that are read must lie on one transform.");
 }
 
