@@ -118,6 +118,23 @@ test_makes_and_pipes() {
     rm -f out*
 }
 
+test_a_faint_index_stays_whole() {
+    # A float of an index near 1 is 6e-8 off, of which render warns; blurred, too.
+    expect 0 make_volume faint.vdb size=16 density sphere:5:1:0
+    expect 0 sim2vol faint.vdb -o out.vdb --ior-from density:2e-6:1.0002
+    expect 0 volsmooth out.vdb -o out.smooth.vdb --sigma 2
+    local file
+    for file in out.vdb out.smooth.vdb; do
+        expect 0 render $file --explain -o x.exr --eye 0,0,99 --target 0,0,0 --fov 10 --size 4x4
+        prints "^curved_rays: on"
+        grep -q 'round by' stdout && fail "$file lost digits"
+    done
+    expect 0 make_volume out.float.vdb size=16 ior=1.0002 sphere:5:1.000202:1.0002
+    expect 0 render out.float.vdb --explain -o x.exr --eye 0,0,99 --target 0,0,0 --fov 10 --size 4x4
+    prints 'round by'
+    rm out*
+}
+
 test_cuts_with_a_warning() {
     expect 0 sim2vol smoke.vdb -o out.vdb --opacity-from density:2 --stats stats.json
     says "'opacity' would be above 1 in [0-9]* voxels"
