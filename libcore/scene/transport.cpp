@@ -23,6 +23,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
     const bool bends = scene.index.varies();
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
+            {"FAINT", !scene.index.rest.page.empty()},
             {"DISPERSION", scene.disperses},
             {"PAGED", scene.layout.paged},
             {"OBJECTS", static_cast<int>(scene.objects.size())},

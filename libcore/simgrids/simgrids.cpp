@@ -82,7 +82,7 @@ volume::Law lawOf(const Map& map, const Params& params) {
             return 1 + optics::airRefractivity(scale * value + offset, pressure,
                                                optics::kReferenceWavelength);
         };
-        law.above = -offset / scale;
+        law.above = 0 - offset / scale;
         law.wanted = "above " + toText(static_cast<float>(law.above)) +
                      ", which is 0 K (--kelvin tells the unit, --ambient what surrounds it)";
         if (params.ambient) law.outside = (*params.ambient - offset) / scale;

@@ -7,8 +7,8 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double kWidth = 6; // standard deviation of the plume [voxel]
-constexpr int kSize = 48, kHeight = 12;
+constexpr double kWidth = 8; // standard deviation of the plume [voxel]
+constexpr int kSize = 64, kHeight = 16;
 const dvec3 kCentre(0.5 * kSize, 0.5 * kHeight, 0.5 * kSize);
 
 double gaussian(const dvec3& p) {
@@ -54,7 +54,7 @@ dvec3 turnOf(double contrast, const dvec3& start, const dvec3& along) {
 /// The error's rms over that of the turn, of a row of parallel rays.
 double errorOf(double contrast, bool inDouble, const dvec3& along, view::Params params = {}) {
     const int rays = 31;
-    const double spacing = 1;
+    const double spacing = 1.37; // rays lie everywhere between voxels
     params.camera = view::parallel(kCentre - 100.0 * along, kCentre, spacing, {rays, 1}).camera;
     params.aovs = {"exit_direction"};
     const view::Look look(plume(contrast, inDouble), params);
