@@ -184,10 +184,10 @@ public:
     /// Adds or replaces a grid of the contract that is `value` everywhere: no active voxel, so that
     /// it costs nothing. Scalars take the first component.
     void putConstant(const std::string& grid, const glm::vec3& value);
-    /// Adds or replaces grid `to` of the contract by the values of grid `from`, each by itself, with
-    /// its active voxels. Values beyond a range whose end is valid are cut to it. Throws DataError
-    /// naming grid and voxel where a value is not finite or not above what the law asks for, or its
-    /// result is none of the contract's.
+    /// Adds or replaces grid `to` of the contract by the values of grid `from`, each by itself,
+    /// with its active voxels. Values beyond a range whose end is valid are cut to it. Throws
+    /// DataError naming grid and voxel where a value is not finite or not above what the law asks
+    /// for, or its result is none of the contract's.
     Cut derive(const std::string& from, const std::string& to, const Law& law);
     /// Adds or replaces the level set of an object. `values` over `box` are distances [unit],
     /// negative inside; they are cut to `halfWidth` [voxel] either side, and active below that. A
