@@ -65,6 +65,9 @@ bench: packages
 	$(MAKE) -f pipelines/models.mk
 	$(BUILD)/tests/bench --json $(OUT)/bench.json --bin $(BUILD)/bin --work $(OUT)/bench \
 	  --bunny data/bunny.off --meshes data
+	jq -r '.images[] | [.polygons, ."dir device [fps]", ."isr device [fps]", ."sir device [fps]"] | @csv' \
+	  $(OUT)/bench.json >$(OUT)/image_space.csv
+	gnuplot -e "rows='$(OUT)/image_space.csv'; page='docs/image_space_rates.svg'" pipelines/image_space.gp
 
 # What every knob that trades accuracy for time costs and gives: docs/accuracy.md and its plots.
 # ACCURACY=quick takes minutes, full most of an hour; stopped, it goes on where it was.

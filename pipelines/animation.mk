@@ -28,7 +28,7 @@ include pipelines/bunny_scene.mk
 ROOM  := $(WORK)/room.exr
 GLASS := --ior 1.45 --absorption 0.3,0.12,0.2
 BUNNY_CAMERA  := --eye 0.7,0.35,2.9 --target 0,0.14,0 --fov 36
-FIGURE_CAMERA := --eye 1.0,1.35,4.6 --target 0,1.2,0 --fov 38
+FIGURE_CAMERA := --eye 1.0,1.35,4.6 --target 0,1.28,0 --fov 42
 
 # A sky, lamps in three colours, and large tiles on the ground.
 $(ROOM):
@@ -54,11 +54,11 @@ $(WORK)/figure_%.obj: $(HERE)/skeleton.awk $(HERE)/pose.awk $(WORK)/rest.off
 	awk -v phase=$(call PHASE,$*) -f $(HERE)/skeleton.awk -f $(HERE)/pose.awk $(WORK)/rest.off >$@
 
 # All frames of a subject from its meshes, in one run.
-$(WORK)/bunny.done: $(NUMBERS:%=$(WORK)/bunny_%.obj) $(ROOM)
+$(WORK)/bunny.done: $(NUMBERS:%=$(WORK)/bunny_%.obj) $(ROOM) $(HERE).mk
 	$(BIN)/render '$(WORK)/bunny_####.obj' --frames 1-$(FRAMES) --method $(METHOD) $(GLASS) $(BUNNY_CAMERA) \
 	  --size $(SIZE) --env $(ROOM) --samples 4 -o '$(WORK)/bunny_mesh_####.png' --stats $(WORK)/bunny.json
 	@touch $@
-$(WORK)/figure.done: $(NUMBERS:%=$(WORK)/figure_%.obj) $(ROOM)
+$(WORK)/figure.done: $(NUMBERS:%=$(WORK)/figure_%.obj) $(ROOM) $(HERE).mk
 	$(BIN)/render '$(WORK)/figure_####.obj' --frames 1-$(FRAMES) --method $(METHOD) $(GLASS) $(FIGURE_CAMERA) \
 	  --size $(SIZE) --env $(ROOM) --samples 4 -o '$(WORK)/figure_mesh_####.png' --stats $(WORK)/figure.json
 	@touch $@
@@ -66,14 +66,14 @@ $(WORK)/figure.done: $(NUMBERS:%=$(WORK)/figure_%.obj) $(ROOM)
 # The same frames one by one through a volume.
 $(WORK)/%.vdb: $(WORK)/%.obj
 	$(BIN)/mesh2vol $< -o $@ $(GLASS) --resolution $(RESOLUTION) --quiet
-$(WORK)/bunny_volume_%.png: $(WORK)/bunny_%.vdb $(ROOM)
+$(WORK)/bunny_volume_%.png: $(WORK)/bunny_%.vdb $(ROOM) $(HERE).mk
 	$(BIN)/render $< -o $@ $(BUNNY_CAMERA) --size $(SIZE) --env $(ROOM) --samples 4 --quiet
-$(WORK)/figure_volume_%.png: $(WORK)/figure_%.vdb $(ROOM)
+$(WORK)/figure_volume_%.png: $(WORK)/figure_%.vdb $(ROOM) $(HERE).mk
 	$(BIN)/render $< -o $@ $(FIGURE_CAMERA) --size $(SIZE) --env $(ROOM) --samples 4 --quiet
 
 VOLUMES := $(foreach subject,bunny figure,$(NUMBERS:%=$(WORK)/$(subject)_volume_%.png))
 ROWS    := $(foreach subject,bunny figure,$(foreach way,mesh volume,$(NUMBERS:%=$(WORK)/$(subject)_$(way)_%.png)))
-$(WORK)/contact.png: $(WORK)/bunny.done $(WORK)/figure.done $(VOLUMES)
+$(WORK)/contact.png: $(WORK)/bunny.done $(WORK)/figure.done $(VOLUMES) $(HERE).mk
 	oiiotool $(ROWS) --mosaic $(FRAMES)x4 -o $(WORK)/.contact.png
 	mv $(WORK)/.contact.png $@
 

@@ -11,8 +11,8 @@ OUT        ?= out
 MATERIAL   ?= diamond
 CUT        ?=
 RESOLUTION ?= 384
-SIZE       ?= 360x300
-SAMPLES    ?= 16
+SIZE       ?= 300x250
+SAMPLES    ?= 12
 WORK       := $(OUT)/diamond
 VIEW       := --eye 0.3,2.6,3.2 --target 0,0.5,0 --fov 34 --max-depth 24 --exposure=-0.6 --tone filmic
 default: $(OUT)/diamond.png

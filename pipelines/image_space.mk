@@ -12,7 +12,7 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 OUT    ?= out
 BIN    ?= build/bin
-SIZE   ?= 256x256
+SIZE   ?= 200x200
 IOR    ?= 1.2
 LAYERS ?= 4
 CUTOFF ?= 0.05
@@ -26,9 +26,9 @@ include $(HERE)/models.mk
 
 SKY := $(WORK)/sky.exr
 MESHES_SHOWN := armadillo refined_elephant bunny
-VIEW_armadillo        := --eye 94,115.5,-448 --target 0,19,0 --fov 20
-VIEW_refined_elephant := --eye 2.25,0.65,1.35 --target 0,0,0 --fov 23
-VIEW_bunny            := --eye 0.7,1.2,3.4 --target 0,0,0 --fov 17.5
+VIEW_armadillo        := --eye 94,50,-458 --target 0,19,0 --fov 20
+VIEW_refined_elephant := --eye 2.35,0.2,1.38 --target 0,0,0 --fov 23
+VIEW_bunny            := --eye 0.5,0.35,3.6 --target 0,0,0 --fov 17.5
 METHODS     := sir isr dir layers rays
 ARGS_sir    := --method sir
 ARGS_isr    := --method isr
@@ -42,15 +42,15 @@ $(WORK):
 # A sky over a chequered floor, soft, so that pictures differ by where rays go and not by edges that they just miss.
 $(SKY): $(HERE)/image_space.mk | $(WORK)
 	oiiotool --pattern fill:top=0.15,0.3,0.7:bottom=0.9,0.9,0.95 512x128 3 \
-	  --pattern checker:width=32:height=32:color1=0.55,0.4,0.25:color2=0.12,0.16,0.1 512x128 3 \
+	  --pattern checker:width=16:height=16:color1=0.75,0.62,0.45:color2=0.1,0.16,0.2 512x128 3 \
 	  --create 512x256 3 --swap --paste +0+128 --swap --paste +0+0 \
-	  --fill:color=3,2.7,2 48x32+330+30 --blur 9x9 -d float -o $@
+	  --fill:color=3,2.7,2 48x32+330+30 --blur 5x5 -d float -o $@
 
 define picture
 $(WORK)/$(1)_$(2).exr: $(DATA)/$(1).off $(SKY) $(HERE)/image_space.mk
 	$(BIN)/render $$< -o $$@ --ior $(IOR) --env $(SKY) $(VIEW_$(1)) --size $(SIZE) $(ARGS_$(2))
 $(WORK)/$(1)_$(2)_off.exr: $(WORK)/$(1)_$(2).exr $(WORK)/$(1)_rays.exr
-	oiiotool $$^ --sub --addc 0.5 --ch R,G,B -o $$@
+	oiiotool $$< $(WORK)/$(1)_rays.exr --sub --addc 0.5 --ch R,G,B -o $$@
 $(WORK)/$(1)_$(2)_rgb.exr: $(WORK)/$(1)_$(2).exr
 	oiiotool $$< --ch R,G,B -o $$@
 endef

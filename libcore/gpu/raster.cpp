@@ -121,6 +121,15 @@ void Layers::bindSampler(unsigned unit) const {
     glBindTextureUnit(unit, mName);
 }
 
+void Layers::bindImage(unsigned unit) const {
+    glBindImageTexture(unit, mName, 0, GL_TRUE, 0, GL_READ_WRITE, internalOf(mFormat));
+}
+
+void Layers::download(void* data, std::int64_t bytes) const {
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glGetTextureImage(mName, 0, layoutOf(mFormat), GL_FLOAT, static_cast<GLsizei>(bytes), data);
+}
+
 Canvas::Canvas(Device& device, int width, int height) : mWidth(width), mHeight(height) {
     glCreateFramebuffers(1, &mName);
     glCreateRenderbuffers(1, &mDepth);

@@ -46,6 +46,9 @@ public:
     void clear(int layer); ///< its finest level, to zero
     void makeLevels();     ///< all coarser ones, from the finest
     void bindSampler(unsigned unit) const;
+    void bindImage(unsigned unit) const; ///< its finest level, for reading and writing
+    /// The finest level, layer by layer.
+    void download(void* data, std::int64_t bytes) const;
     unsigned name() const { return mName; }
     int width() const { return mWidth; }
     int height() const { return mHeight; }

@@ -23,6 +23,9 @@ namespace {
 /// Of the normals of back faces; the shader takes no coarser one.
 constexpr int kLevels = 4;
 
+/// Members of a SurfacePath.
+constexpr int kPathLayers = sizeof(SurfacePath) / sizeof(vec4);
+
 constexpr auto kFormat = gpu::TexelFormat::rgba32f;
 
 int methodNumber(Method method) {
@@ -82,10 +85,10 @@ struct Renderer::Impl {
     gpu::Profiler profiler;
     gpu::Texture map;
     gpu::Program surface, range, refract;
-    gpu::Layers fronts, backs, distances;
+    gpu::Layers fronts, backs, distances, paths;
     gpu::Canvas canvas;
     gpu::Texture colours;
-    gpu::Buffer block, paths, depthRange;
+    gpu::Buffer block, depthRange;
     std::optional<image::Image> around;
     Geometry geometry, plateGeometry;
     gpu::Triangles triangles, plateTriangles;
@@ -102,11 +105,10 @@ struct Renderer::Impl {
         profiler.end();
         canvas = gpu::Canvas(device, camera.width, camera.rows);
         block = gpu::Buffer(device, sizeof values);
-        const std::int64_t pixels = std::int64_t{camera.width} * camera.rows;
         colours =
             gpu::Texture(device, {camera.width, camera.rows, 0}, kFormat, gpu::Filter::nearest);
-        const auto path = static_cast<std::int64_t>(sizeof(SurfacePath));
-        paths = gpu::Buffer(device, wantsPaths(params) ? pixels * path : path);
+        if (wantsPaths(params))
+            paths = gpu::Layers(device, camera.width, camera.rows, kPathLayers, 1, kFormat);
         setValues();
         if (params.layers == 0) makeTwoInterfaces();
     }
@@ -156,7 +158,7 @@ struct Renderer::Impl {
                              gpu::Layers::bytesFor(width, rows, 3, kLevels, kFormat)});
         if (wantsPaths(params))
             needs.push_back(
-                {"the rays' paths", pixels * static_cast<std::int64_t>(sizeof(SurfacePath)), true});
+                {"the rays' paths", pixels * static_cast<std::int64_t>(sizeof(SurfacePath))});
         if (around) needs.push_back(camera::mapNeed(*around));
         device.requireFit(needs);
     }
@@ -224,7 +226,7 @@ struct Renderer::Impl {
     void bindPicture() {
         if (map.name() != 0) map.bindSampler(kEnvironmentUnit);
         colours.bindImage(kColoursImage);
-        paths.bindStorage(kPixelPathsBuffer);
+        if (wantsPaths(params)) paths.bindImage(kPathsImage);
     }
 
     void drawTwoInterfaces() {
@@ -263,9 +265,9 @@ struct Renderer::Impl {
             static_cast<size_t>(params.camera.width) * static_cast<size_t>(params.camera.rows);
         std::vector<vec4> shown(pixels);
         colours.download(shown.data(), static_cast<std::int64_t>(pixels * sizeof(vec4)));
-        std::vector<SurfacePath> found(wantsPaths(params) ? pixels : 0);
+        std::vector<vec4> found(wantsPaths(params) ? kPathLayers * pixels : 0);
         if (!found.empty())
-            paths.download(found.data(), static_cast<std::int64_t>(pixels * sizeof(SurfacePath)));
+            paths.download(found.data(), static_cast<std::int64_t>(found.size() * sizeof(vec4)));
         profiler.end();
         return assemble(params, shown, found);
     }

@@ -84,15 +84,18 @@ bool wantsPaths(const Params& params) {
 }
 
 image::Image assemble(const Params& params, std::span<const vec4> colours,
-                      std::span<const SurfacePath> paths) {
+                      std::span<const vec4> paths) {
     image::Image picture(params.camera.width, params.camera.rows);
     picture.addChannels({"R", "G", "B", "A"},
                         {reinterpret_cast<const float*>(colours.data()), colours.size() * 4}, 4);
     const Frame frame(params.camera);
+    const size_t pixels = paths.size() / 4;
     const auto add = [&](const std::vector<std::string>& channels, const auto& valueOf) {
         std::vector<float> samples;
-        samples.reserve(paths.size() * channels.size());
-        for (const SurfacePath& path : paths) {
+        samples.reserve(pixels * channels.size());
+        for (size_t i = 0; i < pixels; ++i) {
+            const SurfacePath path{paths[i], paths[pixels + i], paths[2 * pixels + i],
+                                   paths[3 * pixels + i]};
             const dvec3 value = valueOf(path);
             for (int c = 0; c < static_cast<int>(channels.size()); ++c)
                 samples.push_back(static_cast<float>(value[c]));

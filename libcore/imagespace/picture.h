@@ -14,7 +14,8 @@ namespace eikonal::imagespace {
 bool wantsPaths(const Params& params);
 
 /// Premultiplied R G B A, AR AG AB where the body is coloured, and the AOVs asked for.
+/// `paths` are the members of each pixel's SurfacePath, the first of all pixels first.
 image::Image assemble(const Params& params, std::span<const vec4> colours,
-                      std::span<const SurfacePath> paths);
+                      std::span<const vec4> paths);
 
 } // namespace eikonal::imagespace

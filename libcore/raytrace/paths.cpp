@@ -19,6 +19,10 @@ namespace {
 
 using glm::dvec3;
 
+/// Faces in a row that a path passes without an interface, where bodies overlap. At a corner
+/// rounding might send it to and fro between two for ever.
+constexpr int kMostPassed = 4096;
+
 double brightest(const dvec3& share) {
     return std::max({share.x, share.y, share.z});
 }
@@ -48,8 +52,9 @@ struct Scene::Branch {
     dvec3 x, direction;
     dvec3 throughput; ///< of L/n²
     Windings within;
-    int depth = 0; ///< interfaces met
-    Face from{};   ///< which it starts on
+    int depth = 0;  ///< interfaces met
+    int passed = 0; ///< faces since then that were none
+    Face from{};    ///< which it starts on
 };
 
 /// A pixel's ray on its way.
@@ -138,7 +143,7 @@ void Scene::land(const Branch& branch, Work& work, const Body& body, const dvec3
 /// To the next face and beyond. False: the path has ended.
 bool Scene::step(Branch& branch, Work& work) const {
     const auto hit = mFaces.next(branch.x, branch.direction, branch.from);
-    if (!hit) {
+    if (!hit || branch.passed > kMostPassed) {
         if (mediumIn(branch.within).body != kNone) work.counters.lost += meanOf(branch.throughput);
         seeBeyond(branch, work);
         return false;
@@ -169,6 +174,7 @@ bool Scene::step(Branch& branch, Work& work) const {
         if (there.body == here.body ||
             (there.ior == here.ior && there.absorption == here.absorption)) {
             branch.within = beyond;
+            ++branch.passed;
             return true;
         }
     }
@@ -203,6 +209,7 @@ bool Scene::part(Branch& branch, Work& work, const Windings& beyond,
                       branch.throughput * share,
                       goesBeyond ? beyond : branch.within,
                       branch.depth + 1,
+                      0,
                       branch.from};
     };
     const Branch mirrored = branchOf(made.reflected, made.reflectance, false);

@@ -25,14 +25,15 @@ using glm::ivec3;
 /// Voxels of a domain, whose places are counted by 32 bits elsewhere.
 constexpr double kMostVoxels = 4294967295.0;
 
-void requireMergeable(const Scene& scene) {
-    if (!scene.sharp)
-        throw DataError(scene.path + ": its domain overlaps another one, expected them apart: its "
-                                     "boundaries are blurred");
-    if (!scene.isClearAround())
-        throw DataError(scene.path +
-                        ": its domain overlaps another one, expected them apart: what surrounds "
-                        "its objects is no clear, even medium");
+void requireMergeable(const std::vector<Part>& parts) {
+    for (size_t i = parts.size(); i-- > 0;) {
+        const Scene &scene = *parts[i].scene, &other = *parts[i == 0 ? 1 : 0].scene;
+        const std::string overlaps =
+            scene.path + ": its domain overlaps that of " + other.path + ", expected them apart: ";
+        if (!scene.sharp) throw DataError(overlaps + "its boundaries are blurred");
+        if (!scene.isClearAround())
+            throw DataError(overlaps + "what surrounds its objects is no clear, even medium");
+    }
 }
 
 /// The place of the part whose lattice the merged scene has, but for its fineness.
@@ -120,7 +121,7 @@ Region resampledRegion(const Region& region, const Resampler& resampler, const O
 } // namespace
 
 Merged merge(const std::vector<Part>& parts) {
-    for (const Part& part : parts) requireMergeable(*part.scene);
+    requireMergeable(parts);
     Merged merged{frameRound(parts), {}};
     Scene& scene = merged.scene;
     std::vector<Resampler> resamplers;

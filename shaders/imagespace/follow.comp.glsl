@@ -12,7 +12,7 @@
 #error MAP, PATHS and PLATES must be 0 or 1
 #endif
 const bool kMap = MAP == 1;
-const bool kPaths = PATHS == 1;
+
 const int kWaiting = 4;
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,11 +1,19 @@
 // The path of a pixel's first ray.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Included where `params` is declared, and kPaths says whether it is written.
-layout(std430, binding = kPixelPathsBuffer) writeonly buffer Paths { SurfacePath paths[]; };
+// Included where `params` is declared, and PATHS says whether it is written.
+#if PATHS == 1
+layout(rgba32f, binding = kPathsImage) writeonly uniform image2DArray paths; // SurfacePath, a layer a member
+#endif
 
 void recordPath(ivec2 pixel, SurfacePath path) {
-    if (kPaths && params.picture.z == 0) paths[pixel.y * params.picture.x + pixel.x] = path;
+    #if PATHS == 1
+    if (params.picture.z != 0) return;
+    imageStore(paths, ivec3(pixel, 0), path.place);
+    imageStore(paths, ivec3(pixel, 1), path.direction);
+    imageStore(paths, ivec3(pixel, 2), path.through);
+    imageStore(paths, ivec3(pixel, 3), path.outward);
+#endif
 }
 
 // Of a ray that meets nothing.

@@ -17,7 +17,7 @@ const int kDir = 0;
 const int kIsr = 1;
 const int kSir = 2;
 const bool kMap = MAP == 1;
-const bool kPaths = PATHS == 1;
+
 
 layout(std140, binding = kParamsBlock) uniform Params { ImageSpaceParams params; };
 layout(binding = kFrontsUnit) uniform sampler2DArray fronts;

@@ -127,4 +127,5 @@ const int kDistancesUnit2d = 2;  // isr: along the normal to the far side [unit]
 const int kPlatesUnit = 3;       // of opaque meshes, as kFrontsUnit
 const int kAlbedosUnit = 4;      // theirs
 const int kColoursImage = 0;     // premultiplied RGBA per pixel
+const int kPathsImage = 1;       // SurfacePath per pixel
 const int kDepthRangeBuffer = 4; // bits of the least and the greatest depth of back faces

@@ -28,7 +28,9 @@ std::string percent(const Json& share) {
 }
 
 std::string degrees(const Json& angle) {
-    return angle.is_null() ? "–" : print("%.2g°", angle.get<double>());
+    if (angle.is_null()) return "–";
+    const double degrees = angle;
+    return print(degrees < 10 ? "%.2g°" : "%.0f°", degrees);
 }
 
 /// That one way is nearer to the truth than another in the mean, on every body that counts.
@@ -90,7 +92,11 @@ std::string imageSection(const std::vector<Json>& all) {
         }
         line(out, {body, "rays", "100 %", "0°", "", "", "", "", "", number(exact)});
     }
-    out << '\n';
+    out << "\nWhere rays are refracted twice, dir follows the back faces that isr guesses at. What "
+           "is "
+           "reflected totally neither follows: layers do, until a ray asks for faces that no pixel "
+           "has seen. On a processor layers cost more than exact rays; they are for devices that "
+           "draw.\n\n";
     return out.str();
 }
 

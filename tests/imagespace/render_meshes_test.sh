@@ -76,6 +76,11 @@ test_eye_within() {
     says '--eye'
 }
 
+test_nothing_in_view() {
+    expect 0 render cube.off -o away.exr --eye 0,0,5 --target 0,0,9 --fov 30 --size 8x8 $glass --background 1
+    says 'warning: no triangle is in view'
+}
+
 test_bad_values() {
     local value
     for value in ior=0 ior=-1 ior=nan ior=100 ior=x absorption=-1 absorption=1,2 search-steps=0 \

@@ -186,6 +186,25 @@ TEST(Bodies, NoLightLeavesABumpyBodyThroughItsEdges) {
     }
 }
 
+// Many shells that cross are one solid: within it paths pass faces by the dozen, and all of them
+// end.
+TEST(Bodies, CrossingShellsAreOneSolid) {
+    mesh::TriangleMesh heap;
+    for (int i = 0; i < 24; ++i)
+        heap = mesh::joined(heap, mesh::moved(mesh::icosphere(0.5, 3),
+                                              0.6 * dvec3(std::sin(7.1 * i), std::sin(5.3 * i),
+                                                          std::sin(3.7 * i))));
+    Params params = lookingFrom({1, 2, 3}, 96);
+    params.background = dvec3(1);
+    for (const mesh::TriangleMesh& mesh : {heap, smooth(heap)}) {
+        Stats stats;
+        const image::Image picture = render(params, {glass(mesh)}, std::nullopt, stats, {});
+        for (size_t i = 0; i < picture.area(); ++i)
+            ASSERT_LT(glm::distance(colourAt(picture, i), dvec3(1)), 1e-6);
+        EXPECT_LT(stats.counter("light_lost_by_holes"), 1e-3);
+    }
+}
+
 TEST(Bodies, AnEyeInGlassSeesBrighterLight) {
     Params params = lookingFrom({0.1, 0.2, 0.3}, 16);
     params.background = dvec3(1);

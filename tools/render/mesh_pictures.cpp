@@ -15,6 +15,7 @@
 #include "render/pictures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace eikonal {
@@ -80,6 +81,7 @@ Task taskOf(const Options& o) {
     task.space.layers = o.layers;
     if (task.isExact) {
         task.space.camera = o.params.camera;
+        static_cast<camera::Background&>(task.space) = o.params;
         task.space.check();
         setShared(task.exact, o, raytrace::allAovs());
     } else {
@@ -209,6 +211,39 @@ void explain(tool::Session& session, const Options& o, const Task& task, const M
     session.explain(session.stats().effects, {}, facts);
 }
 
+std::vector<Effect> effectsOf(const Task& task) {
+    std::vector<Effect> effects = imagespace::effectsOf(task.space, task.map.has_value());
+    if (!task.isExact) return effects;
+    for (Effect& effect : effects) {
+        if (effect.name == "refraction") effect.why = "all interfaces, to --max-depth";
+        if (effect.name == "reflection") effect.why = "by Fresnel's law, on to what it meets";
+        if (effect.name == "total_reflection") effect = {effect.name, true, "--method rays"};
+        if (effect.name == "paths")
+            effect = {effect.name, !task.exact.aovs.empty() || task.space.isColoured(),
+                      !task.exact.aovs.empty()  ? "--aov"
+                      : task.space.isColoured() ? "opacities by colour"
+                                                : "no --aov"};
+    }
+    return effects;
+}
+
+/// Says where a run shows nothing, or not all that it should.
+void warnOf(tool::Session& session, bool anySeen) {
+    if (!anySeen)
+        session.warn("no triangle is in view: the pictures show what surrounds the scene");
+    const double lost = session.stats().counter("rays_lost_within");
+    const double share = lost / std::max(session.stats().counter("rays"), 1.0);
+    if (share > 0.01)
+        session.warn(toText(std::round(share * 1000) / 10) +
+                     " % of the rays got lost within the body: expected more --layers, or all of "
+                     "the body in the picture");
+}
+
+bool isSeen(const image::Image& picture) {
+    const auto alpha = picture.plane(picture.find("A").value());
+    return std::any_of(alpha.begin(), alpha.end(), [](float a) { return a > 0; });
+}
+
 /// Every file of every frame: none may be read and written.
 void guardFiles(tool::Session& session, const Options& o, const Task& task) {
     std::vector<std::string> patterns = o.inputs, inputs;
@@ -251,7 +286,7 @@ void renderMeshes(tool::Session& session, Options& o) {
             for (const std::string& warning : read.warnings) session.warn(warning);
             task.map = std::move(read.map);
         });
-    session.stats().effects = imagespace::effectsOf(task.space, task.map.has_value());
+    session.stats().effects = effectsOf(task);
     Checked checked;
     const auto plainly = [](const std::string& name) { return name; };
     const auto read = [&](int frame) {
@@ -265,12 +300,14 @@ void renderMeshes(tool::Session& session, Options& o) {
         session.outputs();
         const image::Image picture =
             Painter(session, o, task).paint(std::move(meshes), session.progress());
+        warnOf(session, isSeen(picture));
         return session.pass("write",
                             [&] { writePictures(session, session.outputs(), o, "", picture); });
     }
     session.openStats();
     Painter painter(session, o, task);
     const Progress progress = session.progress();
+    bool anySeen = false;
     const size_t each = session.outputPaths().size() / task.frames.size();
     for (size_t k = 0; k < task.frames.size(); ++k) {
         if (k > 0) meshes = read(task.frames[k]);
@@ -278,12 +315,14 @@ void renderMeshes(tool::Session& session, Options& o) {
         const image::Image picture =
             painter.paint(std::move(meshes), partOf(progress, static_cast<double>(k) / all,
                                                     static_cast<double>(k + 1) / all));
+        anySeen |= isSeen(picture);
         session.pass("write", [&] {
             const auto first = session.extraOutputs(k * each, each);
             writePictures(session, first, o, "", picture);
             for (const auto& out : first) out->finish();
         });
     }
+    warnOf(session, anySeen);
 }
 
 } // namespace eikonal
