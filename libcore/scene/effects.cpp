@@ -130,7 +130,7 @@ void warnOf(const Object& object, const std::string& name, double voxelSize,
 
 /// Of an index whose differences are lost in how it is stored. A half has 11 bits, a float 24.
 void warnOf(const Index& index, std::vector<std::string>& warnings) {
-    if (!index.varies()) return;
+    if (!index.varies() || !index.rest.page.empty()) return;
     const double contrast = static_cast<double>(index.most) - index.least;
     const double rounding = std::ldexp(1.0, std::ilogb(index.most) - (index.inHalf ? 11 : 24));
     const double share = rounding / contrast;

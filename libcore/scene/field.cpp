@@ -79,9 +79,10 @@ struct Samples {
     vec4 cubic{0};
 };
 
-Samples makeSamples(gpu::Device& device, const volume::BrickGrid& index, float least,
-                    const VoxelLayout& layout, const FieldOptions& options) {
-    const Potential own = makePotential(index);
+Samples makeSamples(gpu::Device& device, const volume::BrickGrid& index,
+                    const volume::BrickGrid& rest, float least, const VoxelLayout& layout,
+                    const FieldOptions& options) {
+    const Potential own = makePotential(index, rest);
     Potential stepped = own;
     if (options.verletTau > 0) correctForVerlet(stepped, options.verletTau);
     if (options.interpolation == Interpolation::linear)
@@ -105,18 +106,19 @@ Field::Field(gpu::Device& device, float constant, float dispersion) {
     mParams = gpu::Buffer(device, sizeof values, &values);
 }
 
-Field::Field(gpu::Device& device, const volume::BrickGrid& index,
-             const volume::BrickGrid& dispersed, float least, const VoxelLayout& layout,
+Field::Field(gpu::Device& device, const Index& index, const VoxelLayout& layout,
              const FieldOptions& options) {
     FieldParams values{};
     const bool linear = options.interpolation == Interpolation::linear;
-    values.scale = vec4(1.0f / vec3(linear ? layout.texels() : index.size + ivec3(1, 4, 4)), 0);
-    values.high = vec4(vec3(index.size - 1), options.unbiased ? 1 : 0);
-    Samples plain = makeSamples(device, index, least, layout, options);
+    values.scale =
+        vec4(1.0f / vec3(linear ? layout.texels() : index.grid.size + ivec3(1, 4, 4)), 0);
+    values.high = vec4(vec3(index.grid.size - 1), options.unbiased ? 1 : 0);
+    Samples plain = makeSamples(device, index.grid, index.rest, index.least, layout, options);
     mTexture = std::move(plain.texture);
     values.cubic = plain.cubic;
-    if (!dispersed.page.empty()) {
-        Samples other = makeSamples(device, dispersed, least, layout, options);
+    if (!index.dispersed.page.empty()) {
+        Samples other =
+            makeSamples(device, index.dispersed, index.dispersedRest, index.least, layout, options);
         mDispersed = std::move(other.texture);
         values.dispersed = other.cubic;
     }

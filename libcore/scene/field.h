@@ -4,8 +4,7 @@
 
 #include "gpu/resources.h"
 #include "optics/tracing.h"
-#include "scene/voxel_layout.h"
-#include "volume/volume.h"
+#include "scene/scene.h"
 
 namespace eikonal::scene {
 
@@ -29,10 +28,9 @@ public:
     Field() = default;
     /// An index that does not vary, and Cauchy's B of it [µm²].
     Field(gpu::Device& device, float constant, float dispersion);
-    /// `index` has one value per voxel, `least` or above; `dispersed` the same at kDispersedTerm of
-    /// shaders/shared/field_params.h, or none. Throws MemoryError if the device can't hold it.
-    Field(gpu::Device& device, const volume::BrickGrid& index, const volume::BrickGrid& dispersed,
-          float least, const VoxelLayout& layout, const FieldOptions& options);
+    /// Of an index that varies. Throws MemoryError if the device can't hold it.
+    Field(gpu::Device& device, const Index& index, const VoxelLayout& layout,
+          const FieldOptions& options);
 
     /// At the unit and binding that shaders/transport/index_field.glsl names.
     void bind() const;

@@ -142,9 +142,15 @@ Index blurredIndex(const volume::Volume& volume, const volume::IndexBox& box) {
     index.least = index.most = index.background;
     if (!volume.has("ior")) return index;
     index.grid = volume.bricks("ior", box);
+    const Range floats = rangeOf(index.grid);
+    index.rest = volume.remainders("ior", box);
+    if (floats.least == floats.most && !index.rest.page.empty()) {
+        const Range rests = rangeOf(index.rest);
+        if (rests.least == rests.most) index.rest = {};
+    }
     index.inHalf = volume.isStoredInHalf("ior");
     index.least = index.most = index.grid.at(ivec3(0));
-    widen(index, rangeOf(index.grid));
+    widen(index, floats);
     const ivec3 size = index.grid.size;
     const auto look = [&](int x, int y, int z) {
         const float jump = std::abs(index.grid.at({x, y, z}) - index.background);
@@ -170,9 +176,18 @@ void disperse(Index& index, const Values& dispersion, const volume::IndexBox& bo
             });
     };
     volume::BrickGrid dispersed = gridAt(kDispersedTerm);
+    // What that sum lacks, of an index in double.
+    const auto restOf = [&](const ivec3& voxel, float* rest) {
+        const double sum =
+            static_cast<double>(index.grid.at(voxel)) + static_cast<double>(index.rest.at(voxel)) +
+            static_cast<double>(kDispersedTerm) * static_cast<double>(dispersion.at(voxel, 0));
+        *rest = static_cast<float>(sum - static_cast<double>(dispersed.at(voxel)));
+    };
     const Range range = rangeOf(dispersed);
     if (!index.varies() && range.least == range.most) return; // straight, whatever the wavelength
     widen(index, range);
+    if (!index.rest.page.empty())
+        index.dispersedRest = volume::makeBricks(box.size(), box.firstBrick(), 1, isEven, restOf);
     index.dispersed = std::move(dispersed);
     if (index.grid.page.empty()) index.grid = gridAt(0);
 }

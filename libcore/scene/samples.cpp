@@ -70,10 +70,12 @@ void extendBeyond(float* face, std::ptrdiff_t inward, int count, double floorOf,
 
 } // namespace
 
-Potential makePotential(const volume::BrickGrid& index) {
+Potential makePotential(const volume::BrickGrid& index, const volume::BrickGrid& rest) {
     Potential potential;
     potential.size = index.size;
-    const auto first = static_cast<double>(index.at(ivec3(0)));
+    const bool plain = rest.page.empty();
+    const double first = static_cast<double>(index.at(ivec3(0))) +
+                         (plain ? 0.0 : static_cast<double>(rest.at(ivec3(0))));
     potential.squareAtZero = first * first;
     const ivec3 size = index.size, outer = potential.outer();
     potential.values.assign(static_cast<size_t>(outer.x) * outer.y * outer.z, 0.0f);
@@ -81,11 +83,14 @@ Potential makePotential(const volume::BrickGrid& index) {
         return (static_cast<size_t>(z + kMargin) * outer.y + (y + kMargin)) * outer.x + kMargin + x;
     };
     forEachSlice(size.z, [&](int z) {
+        std::vector<float> rests(static_cast<size_t>(size.x), 0.0f);
         for (int y = 0; y < size.y; ++y) {
             float* row = potential.values.data() + place(0, y, z);
             index.copyRow(y, z, row);
+            if (!plain) rest.copyRow(y, z, rests.data());
             for (int x = 0; x < size.x; ++x) {
-                const auto n = static_cast<double>(row[x]);
+                const double n = static_cast<double>(row[x]) +
+                                 static_cast<double>(rests[static_cast<size_t>(x)]);
                 row[x] = static_cast<float>(0.5 * (n - first) * (n + first));
             }
         }

@@ -26,8 +26,8 @@ struct Potential {
 /// The margin goes on as the four outermost samples do: by their cubic where they are smooth (their
 /// second differences of one sign and within a factor of two), by the lesser second difference
 /// where those have one sign, else linearly. n does not fall below a quarter of its value at the
-/// face.
-Potential makePotential(const volume::BrickGrid& index);
+/// face. `rest`, if not empty, is what `index` lacks: differences are taken in double.
+Potential makePotential(const volume::BrickGrid& index, const volume::BrickGrid& rest = {});
 
 /// Adds τ²/24 |∇U|², limited where U bends so much that steps of τ can't follow.
 void correctForVerlet(Potential& potential, double tau);

@@ -23,6 +23,9 @@ struct Index {
     volume::BrickGrid grid; ///< at 587.6 nm; empty where it does not vary
     /// At kDispersedTerm of shaders/shared/field_params.h; empty where nothing disperses.
     volume::BrickGrid dispersed;
+    /// What `grid` and `dispersed` lack of an index that a file holds in double; empty where they
+    /// hold all of it. A faint contrast is all in here.
+    volume::BrickGrid rest, dispersedRest;
     float background = 1;           ///< outside the domain
     float backgroundDispersion = 0; ///< Cauchy's B [µm²]
     float least = 1, most = 1;      ///< of both grids
@@ -31,7 +34,7 @@ struct Index {
     float jumpAtFaces = 0;
     bool inHalf = false; ///< a file holds some of it in 16 bits
 
-    bool varies() const { return most > least; }
+    bool varies() const { return most > least || !rest.page.empty(); }
 };
 
 /// What lightsim stored.

@@ -23,6 +23,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
     const bool bends = scene.index.varies();
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
+            {"FAINT", !scene.index.rest.page.empty()},
             {"DISPERSION", scene.disperses},
             {"PAGED", scene.layout.paged},
             {"OBJECTS", static_cast<int>(scene.objects.size())},
@@ -51,7 +52,7 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
     const bool fitted =
         steps.equal && tracing.integrator == optics::Integrator::verlet && tracing.unbiased();
     const Index& index = scene.index;
-    mField = index.varies() ? Field(device, index.grid, index.dispersed, index.least, scene.layout,
+    mField = index.varies() ? Field(device, index, scene.layout,
                                     {tracing.sampling(), tracing.unbiased(),
                                      fitted ? tauOf(scene, steps.longest) : 0})
                             : Field(device, index.least, scene.regions.front().dispersion.value.x);

@@ -17,8 +17,8 @@ struct StepLengths {
     bool equal = false;     ///< Verlet's are all of the longest, so that the field is made for them
 };
 
-/// The switches INTEGRATOR, FIELD, DISPERSION, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE of
-/// every kernel that traces.
+/// The switches INTEGRATOR, FIELD, FAINT, DISPERSION, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE
+/// of every kernel that traces.
 gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing);
 
 /// What a scene takes on the device.

@@ -31,7 +31,9 @@ struct Looked {
 std::vector<Looked> gridsOf(const Scene& scene) {
     std::vector<Looked> grids;
     if (scene.index.varies()) grids.push_back({&scene.index.grid, kMargin});
-    if (!scene.index.dispersed.page.empty()) grids.push_back({&scene.index.dispersed, kMargin});
+    for (const volume::BrickGrid* grid :
+         {&scene.index.dispersed, &scene.index.rest, &scene.index.dispersedRest})
+        if (!grid->page.empty()) grids.push_back({grid, kMargin});
     const auto add = [&](const Values& values) {
         if (values.varies()) grids.push_back({&values.grid, 0});
     };

@@ -36,11 +36,32 @@ std::vector<std::string> automaticGrids(const volume::Volume& volume, const Side
     return grids;
 }
 
+/// An index of doubles, and its background, as what exceeds a float near them all, so that a faint
+/// contrast keeps its digits. Nothing changes where floats hold the grid.
+void takeDifferences(const volume::Volume& volume, Item& item) {
+    if (item.grid != "ior") return;
+    const volume::BrickGrid rest = volume.remainders(item.grid, volume.domain());
+    if (rest.page.empty()) return;
+    item.base = double{item.background.x};
+    size_t next = 0;
+    for (int z = 0; z < rest.size.z; ++z)
+        for (int y = 0; y < rest.size.y; ++y)
+            for (int x = 0; x < rest.size.x; ++x) {
+                float& value = item.values.values[next++];
+                value = static_cast<float>(double{value} - *item.base + double{rest.at({x, y, z})});
+            }
+    // Beyond all active voxels, further off than a node of OpenVDB's tree is long.
+    const glm::ivec3 outside = volume.domain().max + 2 * 4096;
+    const volume::BrickGrid beyond = volume.remainders(item.grid, {outside, outside});
+    item.background = glm::vec3(beyond.page.empty() ? 0.0f : beyond.at(glm::ivec3(0)));
+}
+
 /// The grid with what tells how to smooth it; nothing if it has one value.
 std::optional<Item> itemOf(const volume::Volume& volume, const Sides& sides,
                            const std::string& grid) {
     if (volume.constant(grid)) return {};
     Item item{grid, volume.background(grid, glm::vec3(0)), volume.dense(grid, volume.domain())};
+    takeDifferences(volume, item);
     if (constant(item.values)) return {};
     for (const volume::ObjectFacts& object : sides.objects())
         if (object.sdf == grid) item.object = object;

@@ -17,6 +17,8 @@ struct Item {
     std::string grid;
     glm::vec3 background{0.0f};
     volume::DenseGrid values;
+    /// Of an index of doubles that floats do not hold: values and background are what exceeds this.
+    std::optional<double> base{};
     /// Per voxel 1 where the grid's values count and are smoothed, 0 where they neither are nor do;
     /// empty: all count.
     std::vector<float> counts{};

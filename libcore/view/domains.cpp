@@ -82,8 +82,10 @@ void shareDispersion(std::vector<Plan>& plans) {
                                  [](const Plan& plan) { return plan.scene.disperses; });
     for (Plan& plan : plans) {
         scene::Scene& scene = plan.scene;
-        if (any && !scene.disperses && scene.index.varies())
+        if (any && !scene.disperses && scene.index.varies()) {
             scene.index.dispersed = scene.index.grid;
+            scene.index.dispersedRest = scene.index.rest;
+        }
         scene.disperses = any;
     }
 }

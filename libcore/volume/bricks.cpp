@@ -18,26 +18,40 @@ namespace {
 
 using glm::ivec3;
 
+/// A number as a float.
+struct Rounded {
+    template<typename Number> float operator()(Number value) const {
+        return static_cast<float>(value);
+    }
+};
+
+/// What a float of a number lacks of it.
+struct RoundedOff {
+    float operator()(double value) const {
+        return static_cast<float>(value - static_cast<double>(static_cast<float>(value)));
+    }
+};
+
 /// Returns where the next one goes.
-template<typename Value> float* copyValue(const Value& value, float* out) {
+template<typename Part, typename Value> float* copyValue(const Value& value, float* out) {
     if constexpr (openvdb::VecTraits<Value>::IsVec) {
-        for (int c = 0; c < 3; ++c) *out++ = static_cast<float>(value[c]);
+        for (int c = 0; c < 3; ++c) *out++ = Part{}(value[c]);
     } else {
-        *out++ = static_cast<float>(value);
+        *out++ = Part{}(value);
     }
     return out;
 }
 
 /// Voxel (x, y, z) of a leaf is at 64 x + 8 y + z.
-template<typename Leaf> void copyLeaf(const Leaf& leaf, float* out) {
+template<typename Part, typename Leaf> void copyLeaf(const Leaf& leaf, float* out) {
     const auto* in = leaf.buffer().data();
     for (int z = 0; z < kBrick; ++z)
         for (int y = 0; y < kBrick; ++y)
             for (int x = 0; x < kBrick; ++x)
-                out = copyValue(in[kBrick * (kBrick * x + y) + z], out);
+                out = copyValue<Part>(in[kBrick * (kBrick * x + y) + z], out);
 }
 
-template<typename Grid>
+template<typename Grid, typename Part = Rounded>
 void fill(const openvdb::GridBase& base, const IndexBox& box, BrickGrid& out) {
     const auto& tree = static_cast<const Grid&>(base).tree();
     const auto components = static_cast<size_t>(out.components);
@@ -52,7 +66,7 @@ void fill(const openvdb::GridBase& base, const IndexBox& box, BrickGrid& out) {
                 const openvdb::Coord at(p.x, p.y, p.z);
                 leaves[brick] = accessor.template probeConstNode<Leaf>(at);
                 if (!leaves[brick])
-                    copyValue(accessor.getValue(at), out.even.data() + brick * components);
+                    copyValue<Part>(accessor.getValue(at), out.even.data() + brick * components);
             }
     });
     std::vector<size_t> uneven;
@@ -63,7 +77,7 @@ void fill(const openvdb::GridBase& base, const IndexBox& box, BrickGrid& out) {
         }
     out.values.resize(uneven.size() * kBrickVoxels * components);
     tbb::parallel_for(size_t{0}, uneven.size(), [&](size_t i) {
-        copyLeaf(*leaves[uneven[i]], out.values.data() + i * kBrickVoxels * components);
+        copyLeaf<Part>(*leaves[uneven[i]], out.values.data() + i * kBrickVoxels * components);
     });
 }
 
@@ -157,6 +171,22 @@ BrickGrid Volume::bricks(const std::string& grid, const IndexBox& box) const {
         if (const auto wrong = findFault(ruleFor(grid), out, box.min))
             throw DataError(mImpl->where(grid) + ": " + *wrong);
         return out;
+    } catch (const std::bad_alloc&) {
+        throw MemoryError(mImpl->where(grid) + " needs more memory than there is");
+    }
+}
+
+BrickGrid Volume::remainders(const std::string& grid, const IndexBox& box) const {
+    require(grid);
+    Entry& entry = mImpl->numbers(grid);
+    if (!entry.grid->isType<openvdb::DoubleGrid>()) return {};
+    try {
+        BrickGrid out(box.size(), box.firstBrick(), 0);
+        fill<openvdb::DoubleGrid, RoundedOff>(*entry.grid, box, out);
+        const auto isZero = [](float value) { return value == 0; };
+        const bool none = std::all_of(out.even.begin(), out.even.end(), isZero) &&
+                          std::all_of(out.values.begin(), out.values.end(), isZero);
+        return none ? BrickGrid{} : out;
     } catch (const std::bad_alloc&) {
         throw MemoryError(mImpl->where(grid) + " needs more memory than there is");
     }

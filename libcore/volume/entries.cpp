@@ -216,12 +216,15 @@ void Volume::Impl::checkDomain() const {
                         toText(kFarthestIndex));
 }
 
-void Volume::Impl::open() {
+void Volume::Impl::open(const ChooseNames& choose) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw DataError(path + ": is a directory, expected a VDB file");
     readIndex();
     if (entries.empty()) throw DataError(path + ": holds no grids");
+    std::vector<std::string> found;
+    for (const Entry& entry : entries) found.push_back(entry.name);
+    names = choose(found);
     checkNames();
     readHeads(true);
     const bool anyKnown = std::any_of(entries.begin(), entries.end(),

@@ -31,6 +31,9 @@ struct Entry {
     std::string elsewhere;             ///< what is wrong with its transform, or ""
 };
 
+/// Hands on what stays true of the grid that `made` replaces.
+void inherit(openvdb::GridBase& made, const openvdb::GridBase& old);
+
 struct Volume::Impl {
     std::string path;
     Frame frame;
@@ -50,7 +53,7 @@ struct Volume::Impl {
     /// Whether a stage may look at the grid: the contract has its name, or an option maps it.
     bool isKnown(const Entry& entry) const;
 
-    void open();
+    void open(const ChooseNames& choose);
     /// A grid of numbers that is there, its tree read.
     Entry& numbers(const std::string& grid);
     /// Reads what a file says of a grid before its tree, and its tree.

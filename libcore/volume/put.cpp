@@ -93,7 +93,8 @@ bool tellsOfStorage(const std::string& item) {
     return item.rfind("file_", 0) == 0 || item == GridBase::META_SAVE_HALF_FLOAT;
 }
 
-/// Hands on what stays true of the grid that `made` replaces.
+} // namespace
+
 void inherit(GridBase& made, const GridBase& old) {
     const auto gridClass = made.getGridClass();
     // Items of the same name may differ in type, which insertMeta() refuses to replace.
@@ -104,6 +105,8 @@ void inherit(GridBase& made, const GridBase& old) {
     }
     if (gridClass != openvdb::GRID_UNKNOWN || ruleFor(made.getName())) made.setGridClass(gridClass);
 }
+
+namespace {
 
 /// Makes the voxels active that were so in the grid replaced, which held floats or doubles.
 template<typename Floats, typename Doubles> void keepActive(Floats& made, const GridBase& old) {

@@ -88,12 +88,15 @@ Volume::Volume(const Frame& frame) : mImpl(new Impl) {
 }
 
 Volume Volume::open(const std::string& path, const GridNames& names) {
+    return open(path, [&](const std::vector<std::string>&) { return names; });
+}
+
+Volume Volume::open(const std::string& path, const ChooseNames& choose) {
     initializeOpenVdb();
     auto impl = std::make_unique<Impl>();
     impl->path = path == "-" ? "standard input" : path;
-    impl->names = names;
     try {
-        impl->open();
+        impl->open(choose);
     } catch (const VdbDamage& damage) {
         throw DataError(impl->path + ": is no valid VDB file (" + damage.what() + ")");
     } catch (const std::bad_alloc&) {

@@ -7,8 +7,10 @@
 #include "volume/bricks.h"
 #include "volume/fine_grid.h"
 
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -82,6 +84,27 @@ std::string ownGrid(const std::string& grid, const std::string& object);
 /// Contract names mapped to the names in the file, from `--grid-ior NAME` and its like.
 using GridNames = std::map<std::string, std::string>;
 
+/// Which grids of a file an option means, by the names of those that the file holds.
+using ChooseNames = std::function<GridNames(const std::vector<std::string>& found)>;
+
+/// How derive() makes one number of another.
+struct Law {
+    /// Of a value and the component that it makes, in double.
+    std::function<double(double value, int component)> value;
+    bool vector = false; ///< three components are made of one number; of vectors, always
+    /// What a value must be above, and in words.
+    double above = -std::numeric_limits<double>::infinity();
+    std::string wanted{};
+    /// Stands for the background and every voxel that is not active.
+    std::optional<double> outside{};
+    bool inDouble = false; ///< scalars are stored so
+};
+
+/// What derive() cut to the range that the contract allows [active voxel].
+struct Cut {
+    std::int64_t below = 0, above = 0;
+};
+
 /// How put() shall describe a grid.
 struct PutOptions {
     glm::vec3 background{0.0f};
@@ -103,6 +126,8 @@ public:
     /// grids of numbers. Throws MissingError, or DataError if it is no VDB file, is cut short or
     /// damaged, or has no active voxel, no grids, or a scene on an unsuitable transform.
     static Volume open(const std::string& path, const GridNames& names = {});
+    /// The same, where the names depend on what there is.
+    static Volume open(const std::string& path, const ChooseNames& choose);
 
     ~Volume();
     Volume(Volume&&) noexcept;
@@ -136,6 +161,9 @@ public:
     /// The same by bricks: what is even takes no memory. Numbers where the contract wants vectors
     /// stay one component.
     BrickGrid bricks(const std::string& grid, const IndexBox& box) const;
+    /// Of a grid of doubles what bricks() rounds off: by the same bricks the values less their
+    /// floats, themselves as floats. Empty where the floats are all there is to it.
+    BrickGrid remainders(const std::string& grid, const IndexBox& box) const;
     /// The active voxels of a grid of vectors that is finer than the scene, from the low corner of
     /// `box` on; empty if it is not there. Throws DataError if it does not subdivide the scene's
     /// voxels, or a value is against the contract.
@@ -156,6 +184,11 @@ public:
     /// Adds or replaces a grid of the contract that is `value` everywhere: no active voxel, so that
     /// it costs nothing. Scalars take the first component.
     void putConstant(const std::string& grid, const glm::vec3& value);
+    /// Adds or replaces grid `to` of the contract by the values of grid `from`, each by itself,
+    /// with its active voxels. Values beyond a range whose end is valid are cut to it. Throws
+    /// DataError naming grid and voxel where a value is not finite or not above what the law asks
+    /// for, or its result is none of the contract's.
+    Cut derive(const std::string& from, const std::string& to, const Law& law);
     /// Adds or replaces the level set of an object. `values` over `box` are distances [unit],
     /// negative inside; they are cut to `halfWidth` [voxel] either side, and active below that. A
     /// level set replaced hands on its metadata.

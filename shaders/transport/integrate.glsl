@@ -11,6 +11,10 @@
 #ifndef INTEGRATOR
 #error INTEGRATOR must be 0 (straight), 1 Euler, 2 Verlet, 3 Sharma, 4 RK4 or 5 adaptive
 #endif
+#ifndef FAINT
+#error FAINT must be 0 or 1 (of an index that a file holds in double: kicks may be below a rounding of w)
+#endif
+const bool kFaint = FAINT == 1;
 const int kStraight = 0, kEuler = 1, kVerlet = 2, kSharma = 3, kRk4 = 4, kAdaptive = 5;
 const int kIntegrator = INTEGRATOR;
 const bool kRuns = kIntegrator == kEuler || kIntegrator == kVerlet; // one look-up a step

@@ -122,7 +122,7 @@ void runEqual(inout Path path, inout Load load, inout Measure measure, int regio
             measure.extent += tau * (sqrt(dot(mean, mean) + dot(kick, kick) / 6.0) -
                                      dot(mean, reference) / length(reference));
         }
-        if (kField == 2) { // linear samples are not worth the time
+        if (kField == 2 || kFaint) { // other linear samples are not worth the time
             vec3 kick = tau * field.xyz;
             goOn(path.ray, path.lost, Ray(tau * (start.w + 0.5 * kick), kick));
         } else {

@@ -84,8 +84,7 @@ Json measureKernels(const Settings& settings) {
     const scene::Files scene(std::move(volumes));
     const view::Params params = viewParams();
     const view::Plan plan = view::makePlan(scene, params, false);
-    const scene::Field field(device, plan.scene.index.grid, {}, plan.scene.index.least,
-                             plan.scene.layout, {});
+    const scene::Field field(device, plan.scene.index, plan.scene.layout, {});
 
     const volume::Volume hazy = ballVolume(kVoxels, true);
     lightsim::Params light;

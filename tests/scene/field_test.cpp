@@ -69,7 +69,7 @@ std::vector<Found> probe(const volume::DenseGrid& grid, const FieldOptions& opti
     Scene scene = sceneOf(grid);
     scene.layout = layoutOf(scene, paged ? 0 : 1 << 24);
     EXPECT_EQ(scene.layout.paged, paged);
-    const Field field(device(), scene.index.grid, {}, scene.index.least, scene.layout, options);
+    const Field field(device(), scene.index, scene.layout, options);
     const gpu::Program program(
         device(), "transport/probe.comp.glsl",
         {{"FIELD", fieldSwitch(true, options.interpolation)}, {"DISPERSION", 0}, {"PAGED", paged}});

@@ -52,6 +52,27 @@ TEST(SmoothPlan, TakesTheGridsThatBendOrBoundLight) {
     EXPECT_TRUE(plan.effects[0].on);
 }
 
+TEST(SmoothPlan, AnIndexInDoubleIsSmoothedByItsDifferences) {
+    volume::Volume out(volume::Frame{});
+    out.put("density", kBox, grid(1, true), {.allActive = true});
+    volume::Law law;
+    law.value = [](double density, int) { return 1.000277 + 1e-6 * density; };
+    law.inDouble = true;
+    out.derive("density", "ior", law);
+    const smooth::Plan plan = smooth::makePlan(out, {});
+    ASSERT_EQ(plan.items.size(), 1u);
+    const smooth::Item& item = plan.items[0];
+    ASSERT_TRUE(item.base);
+    // Floats of differences below 1e-6 are that near; floats of the index would be 6e-8 off.
+    for (size_t i = 0; i < 64; ++i)
+        EXPECT_NEAR(*item.base + double{item.values.values[i]},
+                    1.000277 + 1e-6 * (0.5 + static_cast<double>(i) / 512), 1e-13);
+    EXPECT_NEAR(*item.base + double{item.background.x}, 1.000277, 1e-13);
+    // Where floats hold it all, all is as it was.
+    out.put("ior", kBox, grid(1, true), {.background = glm::vec3(1), .allActive = true});
+    EXPECT_FALSE(smooth::makePlan(out, {}).items[0].base);
+}
+
 TEST(SmoothPlan, AVolumeWithoutThemHasNothingToSmooth) {
     volume::Volume out(volume::Frame{});
     out.put("density", kBox, grid(1, true), {});

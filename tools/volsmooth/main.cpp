@@ -80,6 +80,11 @@ void smoothVolume(tool::Session& session, Options& o) {
                                         item.halfWidth);
                 else
                     volume->put(item.grid, volume->domain(), item.values, options);
+                if (!item.base) continue;
+                volume::Law whole;
+                whole.inDouble = true;
+                whole.value = [base = *item.base](double value, int) { return base + value; };
+                volume->derive(item.grid, item.grid, whole);
             }
         });
     }

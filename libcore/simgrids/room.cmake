@@ -1,0 +1,1 @@
+eikonal_room(simgrids SOURCES map.cpp simgrids.cpp)
