@@ -198,7 +198,7 @@ std::optional<Lost> inspect(Object& object) {
     // Outside the domain: its first voxel will do.
     if (object.box.empty()) object.box = {ivec3(0), ivec3(0)};
     if (sloped > 0) object.slope = static_cast<float>(slopes / static_cast<double>(sloped));
-    return std::nullopt;
+    return lost;
 }
 
 } // namespace
