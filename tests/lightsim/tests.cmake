@@ -20,7 +20,8 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "LightFronts.AnOpaque*" "LightPoints.GetWhat*"
                                           "LightDispersion.PhotonsOf*" "LightDispersion.LinesLand*"
                                           "LightMetal.ACylinders*" "LightRough.ARough*"
-                                          "LightRough.PhotonsTake*" "LightCoat.ItsBases*")
+                                          "LightRough.PhotonsTake*" "LightCoat.ItsBases*" "LightPoints.OfLightsApart*" "LightDispersion.White*"
+                                          "Lights.ARect*" "LightSurfaces.TheSameRun*")
 
 eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
                                        ${CMAKE_BINARY_DIR})

@@ -8,5 +8,5 @@ eikonal_test(test_sharp SOURCES sharp/along_test.cpp sharp/ball_test.cpp sharp/f
              LONG "Paged.SharpMedia*" "Paged.BlurredMediaLookTheSame" "SharpMany.IdleObjects*"
                   "SharpFine.Packed*" "SharpGraded.*" "SharpMany.FortyShells"
                   "SharpMany.SixtyFourBalls*" "SharpObjects.AShellAndWhatFillsIt"
-                  "SharpBall.FirstFourOrdersAreFresnels" "SharpBall.LimitsAre*" "Unlit.*"
+                  "SharpBall.FirstFourOrdersAreFresnels" "SharpBall.LimitsAre*" "Unlit.*" "SharpObjects.AB*" "SharpObjects.Wine*"
                   "SharpMany.AnEyeInEach*" "SharpMany.Grazing*" "SharpMany.OpaqueAnd*")

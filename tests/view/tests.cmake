@@ -4,14 +4,14 @@ eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/cur
              view/ground_test.cpp view/domains_test.cpp view/overlaps_test.cpp LIBRARIES judge test_support
              LONG "LinearSamples.AreNoWorseThanPlainOnesAtEdges*" "ViewKink.*" "ViewGround.Meets*" "Domains.RaysGo*" "Domains.WhatIs*" "Domains.AnEye*"
              "Overlaps.A*" "Overlaps.Opaque*"
-             "RoughView.Samples*")
+             "RoughView.Samples*" "Dispersion.FewShifted*")
 
 # The structs that shaders and C++ share are from there.
 target_include_directories(test_view SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 
 eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
                                      ${CMAKE_BINARY_DIR})
-eikonal_run(render_files COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_files_test.sh
+eikonal_run(render_files LONG COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_files_test.sh
                                  ${CMAKE_BINARY_DIR})
-eikonal_run(ground_files COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/ground_test.sh
+eikonal_run(ground_files LONG COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/ground_test.sh
                                  ${CMAKE_BINARY_DIR})

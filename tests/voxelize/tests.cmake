@@ -3,4 +3,4 @@ eikonal_test(test_voxelize SOURCES voxelize/coverage_test.cpp voxelize/distances
                             LIBRARIES test_support)
 # For the structs that facets share with the shaders.
 target_include_directories(test_voxelize SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
-eikonal_run(mesh2vol_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/voxelize/mesh2vol_test.sh ${CMAKE_BINARY_DIR})
+eikonal_run(mesh2vol_manners LONG COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/voxelize/mesh2vol_test.sh ${CMAKE_BINARY_DIR})
