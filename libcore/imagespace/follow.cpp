@@ -26,7 +26,7 @@ Follower::Follower(gpu::Device& device, const Params& params, bool hasMap, bool 
       mPeel(device, "imagespace/surface.vert.glsl", "imagespace/surface.frag.glsl",
             {{"PEELS", 1}, {"EXTRA", 0}}),
       mFollow(device, "imagespace/follow.comp.glsl",
-              {{"MAP", hasMap}, {"PATHS", wantsPaths(params)}, {"PLATES", hasPlates}}),
+              {{"MAP", hasMap}, {"AOVS", wantsPaths(params)}, {"PLATES", hasPlates}}),
       mSurfaces(device, mSize.x, mSize.y, mMost, 1, kFormat), mCounters(device, 4) {
     mCounters.clear();
     if (!hasPlates) return;

@@ -124,7 +124,7 @@ struct Renderer::Impl {
             gpu::Program(device, "imagespace/overall.vert.glsl", "imagespace/refract.frag.glsl",
                          {{"METHOD", methodNumber(params.method)},
                           {"MAP", around.has_value()},
-                          {"PATHS", wantsPaths(params)}});
+                          {"AOVS", wantsPaths(params)}});
         profiler.end();
 
         const int width = camera.width, rows = camera.rows;

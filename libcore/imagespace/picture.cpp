@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "imagespace/picture.h"
 
+#include "camera/aovs.h"
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -61,21 +63,10 @@ constexpr Aov kAovTable[] = {
      }},
 };
 
-std::vector<std::string> channelsOf(const std::string& name, const std::string& components) {
-    if (components.empty()) return {name};
-    std::vector<std::string> channels;
-    for (const char c : components) channels.push_back(name + "." + c);
-    return channels;
-}
-
 } // namespace
 
 const std::vector<std::string>& allAovs() {
-    static const std::vector<std::string> kNames = [] {
-        std::vector<std::string> names;
-        for (const Aov& aov : kAovTable) names.emplace_back(aov.name);
-        return names;
-    }();
+    static const std::vector<std::string> kNames = camera::namesOf(kAovTable);
     return kNames;
 }
 
@@ -90,25 +81,19 @@ image::Image assemble(const Params& params, std::span<const vec4> colours,
                         {reinterpret_cast<const float*>(colours.data()), colours.size() * 4}, 4);
     const Frame frame(params.camera);
     const size_t pixels = paths.size() / 4;
-    const auto add = [&](const std::vector<std::string>& channels, const auto& valueOf) {
-        std::vector<float> samples;
-        samples.reserve(pixels * channels.size());
-        for (size_t i = 0; i < pixels; ++i) {
-            const SurfacePath path{paths[i], paths[pixels + i], paths[2 * pixels + i],
-                                   paths[3 * pixels + i]};
-            const dvec3 value = valueOf(path);
-            for (int c = 0; c < static_cast<int>(channels.size()); ++c)
-                samples.push_back(static_cast<float>(value[c]));
-        }
-        picture.addChannels(channels, samples, channels.size());
+    const auto pathOf = [&](size_t pixel) {
+        return SurfacePath{paths[pixel], paths[pixels + pixel], paths[2 * pixels + pixel],
+                           paths[3 * pixels + pixel]};
     };
     if (params.isColoured())
-        add({"AR", "AG", "AB"}, [](const SurfacePath& path) { return 1.0 - dvec3(path.through); });
+        camera::addChannels(picture, {"AR", "AG", "AB"},
+                            [&](size_t pixel) { return 1.0 - dvec3(pathOf(pixel).through); });
     for (const std::string& name : params.aovs)
         for (const Aov& aov : kAovTable)
             if (name == aov.name)
-                add(channelsOf(aov.name, aov.components),
-                    [&](const SurfacePath& path) { return aov.valueOf(path, frame); });
+                camera::addChannels(
+                    picture, camera::channelsOf(aov.name, aov.components),
+                    [&](size_t pixel) { return aov.valueOf(pathOf(pixel), frame); });
     return picture;
 }
 

@@ -18,12 +18,12 @@ namespace {
 using glm::dvec3;
 
 /// A ray and a triangle's plane.
-struct Meeting {
+struct Intersection {
     double t;         ///< where they meet [unit]; not finite where the ray runs along the plane
     bool fromOutside; ///< the ray comes from the triangle's outer side
 };
-Meeting meetingOf(const mesh::TriangleMesh& mesh, std::uint32_t triangle, const dvec3& origin,
-                  const dvec3& direction) {
+Intersection intersect(const mesh::TriangleMesh& mesh, std::uint32_t triangle, const dvec3& origin,
+                       const dvec3& direction) {
     const glm::uvec3& face = mesh.triangles[triangle];
     const dvec3 a = mesh.points[face.x];
     const dvec3 area = glm::cross(mesh.points[face.y] - a, mesh.points[face.z] - a);
@@ -68,7 +68,7 @@ struct Faces::Question {
     /// Whether the ray meets a triangle that single precision says it does.
     bool accepts(const Face& face) {
         if (face == from) return false;
-        const Meeting met = meetingOf(faces->mesh(face), face.triangle, origin, direction);
+        const Intersection met = intersect(faces->mesh(face), face.triangle, origin, direction);
         if (!std::isfinite(met.t) || !isAhead(face, met)) return false;
         if (windings) {
             (*windings)[face.mesh] += met.fromOutside ? -1 : 1;
@@ -80,11 +80,11 @@ struct Faces::Question {
     /// Close to a ray's start lie the neighbours of the triangle that it starts on. One that it
     /// passes the same way was passed along with that: both are the surface's one crossing. One
     /// that it passes the other way, as at a corner, may be at the very start.
-    bool isAhead(const Face& face, const Meeting& met) const {
+    bool isAhead(const Face& face, const Intersection& met) const {
         if (from.triangle == Face::kNone || from.mesh != face.mesh ||
             met.t > kNear * faces->mRadius)
             return met.t > 0;
-        const Meeting start = meetingOf(faces->mesh(from), from.triangle, origin, direction);
+        const Intersection start = intersect(faces->mesh(from), from.triangle, origin, direction);
         return met.fromOutside != start.fromOutside && met.t > -kSame * faces->mRadius;
     }
 
@@ -172,7 +172,7 @@ std::optional<Faces::Hit> Faces::ask(Question& question) const {
     rtcIntersect1(mEmbree->scene, &question.context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const Face face{ray.hit.geomID, ray.hit.primID};
-    return Hit{face, meetingOf(mesh(face), face.triangle, question.origin, question.direction).t};
+    return Hit{face, intersect(mesh(face), face.triangle, question.origin, question.direction).t};
 }
 
 std::optional<Faces::Hit> Faces::next(const dvec3& origin, const dvec3& direction,

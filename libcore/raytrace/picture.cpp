@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raytrace/picture.h"
 
+#include "camera/aovs.h"
+
 #include <glm/geometric.hpp>
 
 namespace eikonal::raytrace {
@@ -38,22 +40,10 @@ constexpr Aov kAovTable[] = {
     {"normal", "XYZ", [](const FirstPath& path, const camera::Camera&) { return path.normal; }},
 };
 
-std::vector<std::string> channelsOf(const Aov& aov) {
-    if (aov.components[0] == 0) return {aov.name};
-    std::vector<std::string> channels;
-    for (const char* c = aov.components; *c; ++c)
-        channels.push_back(std::string(aov.name) + "." + *c);
-    return channels;
-}
-
 } // namespace
 
 const std::vector<std::string>& allAovs() {
-    static const std::vector<std::string> kNames = [] {
-        std::vector<std::string> names;
-        for (const Aov& aov : kAovTable) names.emplace_back(aov.name);
-        return names;
-    }();
+    static const std::vector<std::string> kNames = camera::namesOf(kAovTable);
     return kNames;
 }
 
@@ -62,22 +52,15 @@ image::Image assemble(const Pixels& pixels, const Params& params, bool coloured)
     picture.addChannels(
         {"R", "G", "B", "A"},
         {reinterpret_cast<const float*>(pixels.colours.data()), pixels.colours.size() * 4}, 4);
-    const auto add = [&](const std::vector<std::string>& channels, const auto& valueOf) {
-        std::vector<float> samples;
-        samples.reserve(pixels.paths.size() * channels.size());
-        for (const FirstPath& path : pixels.paths) {
-            const dvec3 value = valueOf(path);
-            for (int c = 0; c < static_cast<int>(channels.size()); ++c)
-                samples.push_back(static_cast<float>(value[c]));
-        }
-        picture.addChannels(channels, samples, channels.size());
-    };
-    if (coloured) add({"AR", "AG", "AB"}, [](const FirstPath& path) { return 1.0 - path.through; });
+    if (coloured)
+        camera::addChannels(picture, {"AR", "AG", "AB"},
+                            [&](size_t pixel) { return 1.0 - pixels.paths[pixel].through; });
     for (const std::string& name : params.aovs)
         for (const Aov& aov : kAovTable)
             if (name == aov.name)
-                add(channelsOf(aov),
-                    [&](const FirstPath& path) { return aov.valueOf(path, params.camera); });
+                camera::addChannels(
+                    picture, camera::channelsOf(aov.name, aov.components),
+                    [&](size_t pixel) { return aov.valueOf(pixels.paths[pixel], params.camera); });
     return picture;
 }
 

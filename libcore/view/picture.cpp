@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view/picture.h"
 
+#include "camera/aovs.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -111,21 +113,10 @@ std::int64_t restBytes(const std::vector<Plan>& plans, const Params& params) {
     return std::min(2 * strip * one, kMostRestBytes);
 }
 
-std::vector<std::string> channelsOf(const std::string& name, const std::string& components) {
-    if (components.empty()) return {name};
-    std::vector<std::string> channels;
-    for (const char c : components) channels.push_back(name + "." + c);
-    return channels;
-}
-
 } // namespace
 
 const std::vector<std::string>& allAovs() {
-    static const std::vector<std::string> kNames = [] {
-        std::vector<std::string> names;
-        for (const Aov& aov : kAovTable) names.emplace_back(aov.name);
-        return names;
-    }();
+    static const std::vector<std::string> kNames = camera::namesOf(kAovTable);
     return kNames;
 }
 
@@ -234,25 +225,18 @@ image::Image Picture::assemble(const std::vector<Plan>& plans, const Params& par
     if (mPixelPaths.empty()) return picture;
     std::vector<Places> places;
     for (const Plan& plan : plans) places.emplace_back(plan, params.camera);
-    const auto add = [&](const std::vector<std::string>& channels, const auto& valueOf) {
-        std::vector<float> samples;
-        samples.reserve(mPixelPaths.size() * channels.size());
-        for (const PixelPath& path : mPixelPaths) {
-            const dvec3 value = valueOf(path);
-            for (int c = 0; c < static_cast<int>(channels.size()); ++c)
-                samples.push_back(static_cast<float>(value[c]));
-        }
-        picture.addChannels(channels, samples, channels.size());
-    };
     if (std::any_of(plans.begin(), plans.end(),
                     [](const Plan& plan) { return plan.dims && plan.colour; }))
-        add({"AR", "AG", "AB"}, [](const PixelPath& path) { return 1.0 - dvec3(path.through); });
+        camera::addChannels(picture, {"AR", "AG", "AB"},
+                            [&](size_t pixel) { return 1.0 - dvec3(mPixelPaths[pixel].through); });
     for (const std::string& name : params.aovs)
         for (const Aov& aov : kAovTable)
             if (name == aov.name)
-                add(channelsOf(aov.name, aov.components), [&](const PixelPath& path) {
-                    return aov.valueOf(path, places[domainOf(path)]);
-                });
+                camera::addChannels(picture, camera::channelsOf(aov.name, aov.components),
+                                    [&](size_t pixel) {
+                                        const PixelPath& path = mPixelPaths[pixel];
+                                        return aov.valueOf(path, places[domainOf(path)]);
+                                    });
     return picture;
 }
 

@@ -8,8 +8,8 @@
 #include "shared/imagespace_params.h"
 #include "lib/fresnel.glsl"
 
-#if !defined(MAP) || !defined(PATHS) || !defined(PLATES)
-#error MAP, PATHS and PLATES must be 0 or 1
+#if !defined(MAP) || !defined(AOVS) || !defined(PLATES)
+#error MAP, AOVS and PLATES must be 0 or 1
 #endif
 const bool kMap = MAP == 1;
 

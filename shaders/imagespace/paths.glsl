@@ -1,13 +1,13 @@
 // The path of a pixel's first ray.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Included where `params` is declared, and PATHS says whether it is written.
-#if PATHS == 1
+// Included where `params` is declared, and AOVS says whether it is written.
+#if AOVS == 1
 layout(rgba32f, binding = kPathsImage) writeonly uniform image2DArray paths; // SurfacePath, a layer a member
 #endif
 
 void recordPath(ivec2 pixel, SurfacePath path) {
-    #if PATHS == 1
+    #if AOVS == 1
     if (params.picture.z != 0) return;
     imageStore(paths, ivec3(pixel, 0), path.place);
     imageStore(paths, ivec3(pixel, 1), path.direction);

@@ -10,8 +10,8 @@
 #include "shared/imagespace_params.h"
 #include "lib/fresnel.glsl"
 
-#if !defined(METHOD) || !defined(MAP) || !defined(PATHS)
-#error METHOD must be 0 to 2, MAP and PATHS 0 or 1
+#if !defined(METHOD) || !defined(MAP) || !defined(AOVS)
+#error METHOD must be 0 to 2, MAP and AOVS 0 or 1
 #endif
 const int kDir = 0;
 const int kIsr = 1;
