@@ -43,6 +43,7 @@ std::string foreignFormat(std::string_view bytes) {
     if (begins("PK\x03\x04")) return "a zip archive";
     if (begins("\xff\xfe") || begins("\xfe\xff")) return "text in UTF-16";
     if (begins("glTF\x02")) return "a glTF scene";
+    if (begins(" BDV")) return "a VDB volume";
     return "";
 }
 

@@ -185,6 +185,7 @@ TEST_F(Dialects, StreamsAndOtherNamesAreToldByTheirContent) {
         for (const char* name : {"plain", "a.obj", "a.stl"})
             EXPECT_EQ(refusal(name, foreign).find("(read"), std::string::npos) << name;
     EXPECT_NE(refusal("a.ply", "\x1f\x8b\x08").find("gzip"), std::string::npos);
+    EXPECT_NE(refusal("a.vdb", " BDV" + std::string(200, '\0')).find("VDB"), std::string::npos);
 }
 
 } // namespace
