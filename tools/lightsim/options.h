@@ -34,17 +34,18 @@ inline void add(tool::Session& session, Options& o) {
     app.add_option("input", o.input, "scene volume; - is standard input")
         ->type_name("IN.vdb")
         ->required();
-    app.add_option("--light", o.lights,
-                   "a light, named NAME=SPEC if wanted; may be given again: "
-                   "directional:DX,DY,DZ[:R,G,B[:DEG]], the direction the light travels in, its "
-                   "irradiance [W/m²] and its disc's diameter (the sun's: 0.53); "
-                   "point:X,Y,Z[:R,G,B], its position and radiant intensity [W/sr]; "
-                   "spot:X,Y,Z:DX,DY,DZ:ANGLE[:SOFT][:R,G,B], a point that shines within ANGLE of "
-                   "its axis [degree], fading within ANGLE ± SOFT; "
-                   "rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], centre and two whole edges, radiance "
-                   "[W/(m² sr)] to the side of U x V; "
-                   "sphere:X,Y,Z:RADIUS[:R,G,B], radiance; "
-                   "environment:FILE[:LAYER], a lat-long map of radiance all round")
+    app.add_option(
+           "--light", o.lights,
+           "a light, named NAME=SPEC if wanted; may be given again, and must without --lights: "
+           "directional:DX,DY,DZ[:R,G,B[:DEG]], the direction the light travels in, its "
+           "irradiance [W/m²] and its disc's diameter (the sun's: 0.53); "
+           "point:X,Y,Z[:R,G,B], its position and radiant intensity [W/sr]; "
+           "spot:X,Y,Z:DX,DY,DZ:ANGLE[:SOFT][:R,G,B], a point that shines within ANGLE of "
+           "its axis [degree], fading within ANGLE ± SOFT; "
+           "rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], centre and two whole edges, radiance "
+           "[W/(m² sr)] to the side of U x V; "
+           "sphere:X,Y,Z:RADIUS[:R,G,B], radiance; "
+           "environment:FILE[:LAYER], a lat-long map of radiance all round")
         ->type_name("SPEC")
         ->allow_extra_args(false);
     app.add_option("--lights", o.lightFiles,

@@ -21,7 +21,10 @@ void addCamera(tool::Session& session, Options& o) {
                      ->type_name("SCENE.glb[:NAME]")
                      ->group(kGroup);
     const auto isFile = [file] { return file->count() > 0; };
-    tool::addVector(app, "--eye", camera.eye, "where the camera stands [unit]")
+    tool::addVector(app, "--eye", camera.eye,
+                    "where the camera stands [unit]; needed, as --target, --fov or --ortho, and "
+                    "--size, without "
+                    "--camera")
         ->excludes(file)
         ->group(kGroup);
     tool::addVector(app, "--target", camera.target, "the point it looks at [unit]")
