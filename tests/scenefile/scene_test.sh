@@ -53,6 +53,11 @@ test_names_of_objects_and_options_that_win() {
     expect 0 mesh2vol $here/closed.gltf $small -o scene.vdb --explain --material sf10 --material none
     prints "material closed.Box: sf10"
     prints "material closed.Slab: 'Matt' of the file"
+    sed 's/, "material": [01]//g' $here/closed.gltf >bare.gltf
+    expect 0 mesh2vol bare.gltf $small -o scene.vdb --explain
+    prints "material bare.Box: 'no material' of the file: opaque, albedo 0.8"
+    expect 0 mesh2vol bare.gltf $small -o scene.vdb --explain --ior 1.5
+    prints "opacity: off"
     expect 0 mesh2vol - $small -o scene.vdb --explain <$here/closed.gltf
     prints "material mesh.Box: 'Glass'"
 }

@@ -107,7 +107,9 @@ Objects readObjects(tool::Session& session, const mesh2vol::Options& o) {
     const voxelize::Params scene = mesh2vol::sceneOf(o);
     size_t count = 0;
     for (size_t i = 0; i < files.size(); ++i) {
-        session.pass("read", [&] { files[i] = mesh2vol::readFile(o.meshes[i]); });
+        session.pass("read", [&] {
+            files[i] = mesh2vol::readFile(o.meshes[i], !mesh2vol::tellsAnyMatter(o));
+        });
         for (const std::string& warning : files[i].warnings) session.warn(warning);
         for (const std::string& note : files[i].notes) session.note(note);
         count += files[i].pieces.size();

@@ -18,6 +18,12 @@ struct Source {
     std::string materialText = {};                   ///< the same in words
 };
 
+/// Whether the options have matter for any object.
+inline bool tellsAnyMatter(const Options& o) {
+    return !o.given("--ior").empty() || !o.given("--material").empty() ||
+           !o.given("--metal").empty();
+}
+
 /// The value of an object's option, or `fallback` where it was not given.
 class ObjectValues {
 public:
@@ -34,11 +40,7 @@ public:
     std::string text(const std::string& option, const std::string& fallback) const {
         return has(option) ? voxelize::forObject(option, mOptions.given(option), mPlace) : fallback;
     }
-    /// Whether the options have matter for any object.
-    bool tellsAnyMatter() const {
-        return !mOptions.given("--ior").empty() || !mOptions.given("--material").empty() ||
-               !mOptions.given("--metal").empty();
-    }
+    bool tellsAnyMatter() const { return mesh2vol::tellsAnyMatter(mOptions); }
     const optics::NamedMaterial* material() const {
         return materialOf("--material", text("--material", kNone));
     }

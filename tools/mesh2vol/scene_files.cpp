@@ -66,7 +66,7 @@ void joinPieces(ReadFile& file, const std::string& title) {
     if (pieces.size() == 1) pieces.front().name.clear();
 }
 
-ReadFile readGltf(const std::string& path, const std::string& bytes) {
+ReadFile readGltf(const std::string& path, const std::string& bytes, bool fillIn) {
     const std::string title = mesh::meshTitle(path);
     scenefile::Objects read = scenefile::readGltfObjects(path, bytes);
     ReadFile file;
@@ -79,6 +79,8 @@ ReadFile readGltf(const std::string& path, const std::string& bytes) {
         mesh::TriangleMesh mesh{std::move(object.points), std::move(object.triangles),
                                 std::move(object.normals)};
         mesh::mergeIdenticalPoints(mesh); // apart where normals or textures have a seam
+        if (fillIn && !object.material)
+            object.material = {Kind::matt, "no material", glm::dvec3(0.8), 1};
         file.pieces.push_back({object.name, std::move(object.material), std::move(mesh)});
     }
     joinPieces(file, title);
@@ -155,9 +157,9 @@ bool mayBringMaterials(const std::string& path) {
     return !is(".off") && !is(".ply") && !is(".stl");
 }
 
-ReadFile readFile(const std::string& path) {
+ReadFile readFile(const std::string& path, bool fillIn) {
     const std::string bytes = readWhole(path);
-    if (scenefile::isGltf(path, bytes)) return readGltf(path, bytes);
+    if (scenefile::isGltf(path, bytes)) return readGltf(path, bytes, fillIn);
     ReadFile file;
     const std::vector<std::string> libraries = mesh::materialLibraries(path, bytes);
     if (!libraries.empty()) {

@@ -30,8 +30,9 @@ struct ReadFile {
 bool mayBringMaterials(const std::string& path);
 
 /// Reads a file of any kind: glTF with its materials, OBJ with those of its .mtl where that is
-/// there, other meshes. Throws as scenefile's and mesh's readers do.
-ReadFile readFile(const std::string& path);
+/// there, other meshes. With `fillIn` what has no material in a glTF file is matt, of albedo 0.8.
+/// Throws as scenefile's and mesh's readers do.
+ReadFile readFile(const std::string& path, bool fillIn);
 
 /// What the voxels are told of a file's material. What tints without a depth (a base colour of
 /// glass, Tf) absorbs so much that it lets the tint through along the mesh's mean chord, 4 V / S;
