@@ -9,8 +9,8 @@
 
 namespace eikonal::mesh {
 
-/// Writes the mesh as one object, without normals, behind a comment of one line. Coordinates have
-/// nine significant digits, in every locale.
+/// Writes the mesh as one object, with its normals where it has some, behind a comment of one line.
+/// Coordinates have nine significant digits, in every locale.
 void writeObj(std::ostream& out, const TriangleMesh& mesh, const std::string& comment);
 
 } // namespace eikonal::mesh

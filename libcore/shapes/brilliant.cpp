@@ -86,6 +86,7 @@ mesh::TriangleMesh makeBrilliant(const BrilliantParams& params) {
         facet({B[main], L[k], C[k], C[before], L[before]}); // pavilion
     }
     for (glm::dvec3& p : stone.points) p *= params.radius;
+    mesh::setFlatNormals(stone);
     return stone;
 }
 

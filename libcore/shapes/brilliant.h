@@ -23,8 +23,9 @@ struct BrilliantParams {
     void check() const;
 };
 
-/// 58 facets and 16 of the girdle, each flat: the corners of every facet with more than three are
-/// laid on its plane. It lies on a main facet of its pavilion, but for `upright`.
+/// 58 facets and 16 of the girdle, each flat, with normals that say so: the corners of every facet
+/// with more than three are laid on its plane. It lies on a main facet of its pavilion, but for
+/// `upright`.
 mesh::TriangleMesh makeBrilliant(const BrilliantParams& params);
 
 } // namespace eikonal::shapes

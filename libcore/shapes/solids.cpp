@@ -108,6 +108,7 @@ TriangleMesh makePrism(const PrismParams& params) {
         const std::uint32_t next = (k + 1) % count;
         mesh::appendTriangles(prism.points, {k, next, count + next, count + k}, prism.triangles);
     }
+    mesh::setFlatNormals(prism);
     return prism;
 }
 

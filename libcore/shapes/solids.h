@@ -30,7 +30,7 @@ struct PrismParams {
     std::optional<double> apex{}; ///< angle between the two equal sides of a triangle [degree]
     void check() const;
 };
-/// About the origin, a corner at the top.
+/// About the origin, a corner at the top; its faces are flat, with normals that say so.
 mesh::TriangleMesh makePrism(const PrismParams& params);
 
 } // namespace eikonal::shapes

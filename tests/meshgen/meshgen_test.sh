@@ -80,6 +80,11 @@ test_makes_and_pipes() {
     [ ! -s stdout ] && [ ! -s stderr ] || fail "it talked"
     holds stats.json '.counters.triangles == 12 and .counters.volume == 6'
     head -1 out.obj | grep -q '^# meshgen box --from=0,0,0' || fail "no history in the file"
+    # Facets have the normals of their own planes, turned with them.
+    expect 0 meshgen box -o out.obj
+    grep -q '^vn' out.obj && fail "a box has normals"
+    expect 0 meshgen prism --place 0,0,0:0,0,90 -o out.obj
+    grep -q '^vn -1 ' out.obj || grep -q '^vn 1 ' out.obj || fail "normals were not turned: $(grep '^vn' out.obj)"
     expect 0 meshgen sphere --segments 8 --explain --place 1,2,3:0,0,90:2
     prints '^from: -1,0,1'
     prints '^to: 3,4,5'

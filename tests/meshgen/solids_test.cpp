@@ -1,5 +1,7 @@
 // Boxes, spheres, prisms, gems, waves, flecks against what they enclose on paper.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/read.h"
+#include "mesh/write_obj.h"
 #include "meshgen/sound.h"
 #include "shapes/brilliant.h"
 #include "shapes/flecks.h"
@@ -98,6 +100,27 @@ TEST(Brilliant, OtherCutsHoldAndImpossibleOnesAreRefused) {
     BrilliantParams params;
     params.lower = 99.5; // and 1 % of culet
     expectError(ExitStatus::usage, {"--lower", "99.5"}, [&] { params.check(); });
+}
+
+class Written : public ScratchTest {};
+
+TEST_F(Written, AMeshComesBackWithItsNormals) {
+    const auto stone = makeBrilliant({});
+    std::ofstream out(at("stone.obj"));
+    mesh::writeObj(out, stone, "a stone");
+    out.close();
+    const auto back = mesh::readMesh(at("stone.obj"));
+    ASSERT_EQ(back.points.size(), stone.points.size());
+    for (size_t i = 0; i < back.points.size(); ++i)
+        EXPECT_LT(glm::length(back.points[i] - stone.points[i]), 1e-8);
+    EXPECT_EQ(back.triangles, stone.triangles);
+    ASSERT_EQ(back.normals.size(), stone.triangles.size());
+    for (size_t f = 0; f < back.normals.size(); ++f) {
+        const glm::uvec3& t = stone.triangles[f];
+        const glm::vec3 own = glm::normalize(glm::cross(stone.points[t.y] - stone.points[t.x],
+                                                        stone.points[t.z] - stone.points[t.x]));
+        for (const glm::vec3& n : back.normals[f]) EXPECT_LT(glm::length(n - own), 1e-6f);
+    }
 }
 
 TEST(Wave, EnclosesWhatItsSinesIntegrateTo) {

@@ -1,4 +1,4 @@
-// How --place puts things where they belong: TX,TY,TZ[:RX,RY,RZ[:S]].
+// How --place and its like put things where they belong: TX,TY,TZ[:RX,RY,RZ[:S]].
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,11 +18,12 @@ struct Placement {
 };
 
 /// "TX,TY,TZ[:RX,RY,RZ[:S]]", behind "FILE:" where `named`: turned by degrees about X, then Y, then
-/// Z of its own world, scaled, shifted. Throws UsageError.
-inline Placement parsePlacement(const std::string& text, bool named) {
+/// Z of its own world, scaled, shifted. Throws UsageError naming the option.
+inline Placement parsePlacement(const std::string& text, bool named,
+                                const std::string& option = "--place") {
     const std::string form = std::string(named ? "FILE:" : "") + "TX,TY,TZ[:RX,RY,RZ[:S]]";
     const auto fail = [&](const std::string& wanted) {
-        return UsageError("--place: found '" + text + "', expected " + wanted);
+        return UsageError(option + ": found '" + text + "', expected " + wanted);
     };
     // From behind: a file's name may have colons.
     std::vector<std::string> parts = split(text, ':');

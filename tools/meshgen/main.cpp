@@ -38,6 +38,8 @@ void makeMesh(tool::Session& session, const std::vector<meshgen::Kind>& kinds,
     mesh::TriangleMesh made;
     session.pass("make", [&] { made = kind->make(session.seed()); });
     for (glm::dvec3& point : made.points) point = worldFromOwn * glm::dvec4(point, 1);
+    for (mesh::CornerNormals& normals : made.normals) // the scale is the same along all axes
+        for (glm::vec3& normal : normals) normal = glm::normalize(glm::mat3(worldFromOwn) * normal);
     mesh::MeshReport report;
     session.pass("check", [&] { report = mesh::checkTopology(made); });
     if (!kind->isOpen() && !report.boundsVolume())
