@@ -54,6 +54,7 @@ Imath|image volume
 OpenImageIO/|image
 EGL/|gpu
 embree|raytrace
+ft2build|shapes
 epoxy/|gpu
 CLI/|none
 gtest/|none
