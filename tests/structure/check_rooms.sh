@@ -55,6 +55,7 @@ OpenImageIO/|image
 EGL/|gpu
 embree|raytrace
 ft2build|shapes
+tiny_gltf|scenefile
 epoxy/|gpu
 CLI/|none
 gtest/|none

@@ -117,8 +117,7 @@ std::string nameOf(const CLI::Option& option) {
                                        : "--" + option.get_lnames().front();
 }
 
-std::string missingOptions(const CLI::App& app,
-                           const std::vector<std::vector<std::string>>& alternatives) {
+std::string missingOptions(const CLI::App& app, const std::vector<Alternatives>& alternatives) {
     std::vector<std::string> missing;
     if (app.get_subcommands().size() < app.get_require_subcommand_min()) {
         std::vector<std::string> names;
@@ -127,9 +126,10 @@ std::string missingOptions(const CLI::App& app,
     }
     for (const CLI::Option* option : optionsOf(app))
         if (option->get_required() && option->count() == 0) missing.push_back(nameOf(*option));
-    for (const std::vector<std::string>& group : alternatives)
+    for (const auto& [group, unless] : alternatives)
         if (std::none_of(group.begin(), group.end(),
-                         [&](const std::string& name) { return app.count(name) > 0; }))
+                         [&](const std::string& name) { return app.count(name) > 0; }) &&
+            !(unless && unless()))
             missing.push_back(join(group, " or "));
     return join(missing, ", ");
 }
@@ -169,7 +169,7 @@ void acceptPlainLists(CLI::App& app) {
 }
 
 bool parseCommandLine(CLI::App& app, int argc, char** argv,
-                      const std::vector<std::vector<std::string>>& alternatives) {
+                      const std::vector<Alternatives>& alternatives) {
     std::string wrong;
     try {
         app.parse(argc, argv);
