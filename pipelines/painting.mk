@@ -57,7 +57,7 @@ $(foreach k,$(NUMBERS),$(eval $(call frame,$(k))))
 
 $(WORK)/%.png: $(WORK)/%.vdb $(WORK)/sky.exr
 	$(BIN)/lightsim $< -o $(WORK)/$*_lit.vdb --light directional:-0.5,-1,-0.35:3 \
-	  --light environment:$(WORK)/sky.exr --light-samples 16
+	  --light directional:0.5,-1,0.9:1.2
 	$(BIN)/render $(WORK)/$*_lit.vdb -o $@ $(VIEW) --size $(SIZE) --env $(WORK)/sky.exr
 
 $(OUT)/painting.png: $(NUMBERS:%=$(WORK)/frame_%.png)
