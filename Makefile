@@ -1,5 +1,5 @@
 # The front door: make, make demo, make test, make test-all, make bench, make accuracy, make scale,
-# make effects, make instructions, make fuzz, make docs, make format, make bundle.
+# make gallery, make effects, make instructions, make fuzz, make docs, make format, make bundle.
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
@@ -10,7 +10,7 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := meshgen mesh2vol sim2vol volpaint volsmooth lightsim render
 
-.PHONY: all packages configure demo animation test test-all bench accuracy scale effects \
+.PHONY: all packages configure demo animation gallery test test-all bench accuracy scale effects \
         instructions fuzz docs golden format install bundle clean
 
 all: configure
@@ -35,6 +35,11 @@ demo: packages
 animation: packages
 	$(MAKE) all
 	$(MAKE) -j $(JOBS) -f pipelines/animation.mk BIN=$(BUILD)/bin OUT=$(OUT)
+
+# The sources' own scenes and others, with what each took: out/gallery/index.html.
+gallery: packages
+	$(MAKE) all
+	$(MAKE) -f pipelines/gallery.mk BIN=$(BUILD)/bin OUT=$(OUT)/gallery
 
 # In two minutes what a change most likely breaks; test-all takes some more for the long suites.
 CTEST := ctest --output-on-failure -j $(JOBS)

@@ -1,5 +1,6 @@
 # Caption: A sphere of coloured glass with a core that glows, in captured surroundings.
 # Answers: 000 figure 8, middle
+# Small: RESOLUTION=48 SIZE=96x72 SAMPLES=1 'VIEW_FILES=$(ROOM)'
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := emissive
 RESOLUTION ?= 128
@@ -7,13 +8,13 @@ SIZE       ?= 480x360
 include pipelines/gallery/common.mk
 
 MESHES         := $(MADE)/sphere.obj $(MADE)/core.obj
-VOLUME_OPTIONS  = --ior 1.45 --absorption 0.35,0.1,0.04 --absorption 0.35,0.1,0.04 --emission 0 --emission 0.5,1.1,0.15 \
+VOLUME_OPTIONS  = --ior 1.45 --absorption 0.9,0.35,0.08 --absorption 0.9,0.35,0.08 --emission 0 --emission 9,13,1.5 \
                   --resolution $(RESOLUTION)
 SMOOTH         := off
 LIGHT_OPTIONS  ?= --light directional:0.5,-0.8,-0.3
 VIEW_OPTIONS    = --eye 0,0.45,4.6 --target 0,0,0 --fov 34 --size $(SIZE) --samples $(SAMPLES) --env $(VIEW_FILES) \
-                  --env-rotate 30 --tone filmic --exposure=-0.3
-VIEW_FILES     := $(DATA)/courtyard.exr
+                  --env-rotate 200 --tone filmic --exposure=-1.2
+VIEW_FILES      = $(DATA)/courtyard.exr
 include pipelines/chain.mk
 
 $(MADE)/sphere.obj: | $(WORK)

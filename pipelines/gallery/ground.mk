@@ -1,5 +1,6 @@
 # Caption: A ball of glass over a plane in the sun, held to POV-Ray in numbers (make -f pipelines/ball_ground.mk compare).
 # Answers: 000 figure 7
+# Small: RESOLUTION=64 SIZE=96x72
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := ground
 RESOLUTION ?= 160

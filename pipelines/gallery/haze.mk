@@ -1,10 +1,12 @@
 # Caption: Hot air over a street: a photograph seen through a simulation's temperature, and how far it turns each ray.
 # Answers: 003 figure 1 (media that mix), and what schlieren and background-oriented pictures are made of
+# Small: RESOLUTION=96 SIZE=96x64 SAMPLES=1 'PHOTO=$(ROOM)'
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := haze
 RESOLUTION ?= 224
 SIZE       ?= 480x320
 WARMER     ?= 350
+PHOTO      ?= $(DATA)/city.exr
 include pipelines/gallery/common.mk
 VIEW := --eye 0,0.7,30 --target 0,0.7,0 --fov 2.6 --size $(SIZE)
 picture: $(OUT)/haze.png
@@ -27,7 +29,7 @@ $(MADE)/air.vdb: $(MADE)/simulation.vdb
 	$(BIN)/sim2vol $< -o $@ --ior-from opacity:air --kelvin $(WARMER):293.15 --opacity-from opacity:0
 
 # A part of the city, as a long lens takes it.
-$(MADE)/photo.exr: $(DATA)/city.exr
+$(MADE)/photo.exr: $(PHOTO)
 	@mkdir -p $(@D)
 	oiiotool $< --cut 330x220+620+130 -o $@
 $(OUT)/haze.exr $(OUT)/haze.png &: $(MADE)/air.vdb $(MADE)/photo.exr

@@ -1,5 +1,6 @@
 # Caption: A scene modelled in Blender, by three commands and no number typed.
 # Answers: no figure: the way scenes come to these tools
+# Small: RESOLUTION=72 SIZE=96x72 SAMPLES=1
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := modeller
 RESOLUTION ?= 176

@@ -1,5 +1,6 @@
 # Caption: Five things in five volumes on one floor: each is seen through and mirrored in the others.
 # Answers: 000 section 6, the museum; 004 figure 7.2
+# Small: RESOLUTION=48 SIZE=120x60 SAMPLES=1
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := museum
 RESOLUTION ?= 128
@@ -18,7 +19,7 @@ picture: $(OUT)/museum.png
 $(MADE)/block_0.obj: ; @mkdir -p $(@D)
 	$(MESHGEN) box --from=-0.55,0,-0.18 --to 0.55,0.6,0.18 --place=$(PLACE_block) -o $@
 $(MADE)/block_1.obj: ; @mkdir -p $(@D)
-	$(MESHGEN) logo GLAS --height 0.28 --depth 0.14 --place=-3.33,1.36,-0.5 -o $@
+	$(MESHGEN) logo GLAS --height 0.24 --depth 0.14 --place=-2.9,1.36,-0.5 -o $@
 $(MADE)/cube_0.obj: ; @mkdir -p $(@D)
 	$(MESHGEN) implicit rounded-cube --place=-1.35,1.56,0.5:0,30,0:0.36 -o $@
 $(MADE)/cube_1.obj: ; @mkdir -p $(@D)
@@ -43,18 +44,22 @@ $(MADE)/gyroid_stand.obj: ; @mkdir -p $(@D)
 	$(call STAND,2.9,-0.5)
 
 # What each is made of, before its stand; the first volume has the floor for all.
-MATTER_block  := --ior 1.5 --ior 1.62 --absorption 0.05 --absorption 0.6,2.2,4 --opacity 0 --opacity 0
-MATTER_cube   := --ior 1.45 --ior 1.7 --absorption 0.5,2.2,2.8 --absorption 2.8,0.8,0.3 --opacity 0 --opacity 0
-MATTER_ring   := --ior 1.5 --absorption 0.3,1.6,2.4 --opacity 0
-MATTER_sphere := --ior 1.5 --absorption 1.6,0.5,0.2 --opacity 0
-MATTER_gyroid := --ior 1.55 --absorption 1.8,0.5,1.4 --opacity 0
+MATTER_block  := --ior 1.5 --ior 1.62 --absorption 0.05 --absorption 0.6,2.2,4 --absorption 0 --opacity 0 --opacity 0
+MATTER_cube   := --ior 1.45 --ior 1.7 --absorption 0.5,2.2,2.8 --absorption 2.8,0.8,0.3 --absorption 0 --opacity 0 --opacity 0
+MATTER_ring   := --ior 1.5 --absorption 0.3,1.6,2.4 --absorption 0 --opacity 0
+MATTER_sphere := --ior 1.5 --absorption 1.6,0.5,0.2 --absorption 0 --opacity 0
+MATTER_gyroid := --ior 1.55 --absorption 1.8,0.5,1.4 --absorption 0 --opacity 0
 GROUND_block  := --ground '0:0.5,0.46,0.42:checker 0.8'
-$(MADE)/%_0.vdb: $(MADE)/%_0.obj $(MADE)/%_stand.obj
-	$(BIN)/mesh2vol $(sort $(wildcard $(MADE)/$*_[01].obj)) $(MADE)/$*_stand.obj -o $@ $(MATTER_$*) --ior 1 --opacity 1 \
-	  $(if $(filter block cube,$*),--albedo 0 --albedo 0,--albedo 0) --albedo 0.6,0.57,0.52 $(GROUND_$*) --resolution $(RESOLUTION)
-$(MADE)/block_0.vdb: $(MADE)/block_1.obj
-$(MADE)/cube_0.vdb: $(MADE)/cube_1.obj
-$(MADE)/%_lit.vdb: $(MADE)/%_0.vdb
+MESHES_block  := $(MADE)/block_0.obj $(MADE)/block_1.obj
+MESHES_cube   := $(MADE)/cube_0.obj $(MADE)/cube_1.obj
+MESHES_ring   := $(MADE)/ring_0.obj
+MESHES_sphere := $(MADE)/sphere_0.obj
+MESHES_gyroid := $(MADE)/gyroid_0.obj
+.SECONDEXPANSION:
+$(MADE)/%.vdb: $$(MESHES_$$*) $(MADE)/%_stand.obj
+	$(BIN)/mesh2vol $^ -o $@ $(MATTER_$*) --ior 1 --opacity 1 $(MESHES_$*:%=--albedo 0) --albedo 0.6,0.57,0.52 \
+	  $(GROUND_$*) --resolution $(RESOLUTION)
+$(MADE)/%_lit.vdb: $(MADE)/%.vdb
 	$(BIN)/lightsim $< -o $@ --light directional:0.5,-1,-0.45:2.6,2.5,2.3 --surface-detail 2
 $(OUT)/museum.exr $(OUT)/museum.png &: $(THINGS:%=$(MADE)/%_lit.vdb) $(ROOM)
 	$(BIN)/render $(THINGS:%=$(MADE)/%_lit.vdb) -o $(OUT)/museum.exr -o $(OUT)/museum.png --eye 0.3,2.4,8.2 \

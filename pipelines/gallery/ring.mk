@@ -1,5 +1,6 @@
 # Caption: A ring of gold on a board: its inside casts a caustic with a cusp.
 # Answers: 003 section 6 (caustics), of a mirror
+# Small: RESOLUTION=72 SIZE=96x72 SAMPLES=1
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := ring
 RESOLUTION ?= 224
