@@ -10,6 +10,7 @@
 #include "lightsim/points.h"
 #include "lightsim/surfaces.h"
 #include "lightsim/voxels.h"
+#include "scene/crystals.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
 #include "scene/voxel_textures.h"
@@ -70,7 +71,9 @@ double deepestVoxel(const Plan& plan) {
     float most = 0;
     for (const Region& region : plan.scene.regions)
         for (int c = 0; c < plan.tracedChannels(); ++c)
-            most = std::max(most, region.absorption.most(c) + region.scattering.most(c));
+            most = std::max(
+                most, std::max(region.absorption.most(c), region.absorptionExtraordinary.most(c)) +
+                          region.scattering.most(c));
     return std::sqrt(3.0) * plan.scene.voxelSize() * static_cast<double>(most);
 }
 
@@ -113,8 +116,10 @@ void listEffects(Plan& plan, const Params& params) {
          : plan.wavefront ? "--method wavefront"
                           : "no volume receives light"});
     const bool rough = plan.scene.anyRough() && !plan.surfaces.empty();
+    const bool crystal = plan.scene.anyCrystal() && !plan.surfaces.empty();
     add({"beams", plan.beams,
          plan.beams ? "irradiance is made of them"
+         : crystal  ? "crystals: photons carry light to surfaces"
          : rough    ? roughNames(plan.scene) + " rough: photons carry light to surfaces"
                     : "no surface receives light"});
     add({"bounces", plan.bounces > 0,
@@ -140,6 +145,7 @@ void listEffects(Plan& plan, const Params& params) {
     add(nothing(named("coat")));
     add(nothing(named("metal")));
     add(nothing(named("roughness")));
+    add(nothing(named("crystals")));
     add(nothing(named("dispersion")));
 }
 
@@ -157,8 +163,11 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.outputs = params.automaticOutputs ? neededOutputs(scene) : params.outputs;
     if (!params.points.empty()) plan.outputs = receives(scene) ? Output::irradiance : Output::none;
     plan.bends = scene.index.varies();
-    plan.attenuates = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
-    plan.colour = scene.anyColoured({&Region::absorption, &Region::scattering}) ||
+    plan.attenuates = scene.anyHas(&Region::absorption) ||
+                      scene.anyHas(&Region::absorptionExtraordinary) ||
+                      scene.anyHas(&Region::scattering);
+    plan.colour = scene.anyColoured({&Region::absorption, &Region::absorptionExtraordinary,
+                                     &Region::scattering}) ||
                   (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal();
     plan.dense = deepestVoxel(plan) > 0.25;
     plan.opaque = scene.anyOpaque();
@@ -176,12 +185,23 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     if (params.method == Method::beams && plan.receivesInVolume())
         throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
                          " scatters light; expected auto or photons");
+    for (const Light& light : params.lights)
+        if (const Region* crystal =
+                light.hasPlace() ? scene::crystalAt(scene, light.vector) : nullptr)
+            throw DataError(volume.path() + ": a light is within the crystal '" + crystal->name +
+                            "', expected it outside");
+    if (scene.anyCrystal() &&
+        (params.method == Method::beams || params.method == Method::wavefront))
+        throw UsageError("--method: " + volume.path() +
+                         " has crystals, where light is carried by photons alone; expected auto "
+                         "or photons");
     const bool rough = scene.anyRough();
     if (rough && (params.method == Method::beams || params.method == Method::wavefront))
         throw UsageError(
             "--method: " + roughNames(scene) + " of " + volume.path() +
             " rough, where light is carried by photons alone; expected auto or photons");
-    plan.beams = params.method != Method::photons && !plan.surfaces.empty() && !rough;
+    plan.beams =
+        params.method != Method::photons && !plan.surfaces.empty() && !rough && !scene.anyCrystal();
     plan.wavefront = params.method == Method::wavefront && plan.receivesInVolume();
     plan.photons =
         (plan.receivesInVolume() && !plan.wavefront) || (!plan.beams && !plan.surfaces.empty());
@@ -234,8 +254,9 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (!plan.sendsPhotons()) return needs;
     const std::int64_t pixels =
         params.photons > 0 ? std::min<std::int64_t>(params.photons, kBatchPixels) : kBatchPixels;
-    const std::int64_t photon =
-        kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
+    const std::int64_t photon = kBytesPerPhoton +
+                                (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0) +
+                                (plan.scene.anyCrystal() ? kBytesPerPolarisation : 0);
     needs.push_back({"the photons", pixels * photon, true, 0});
     return needs;
 }

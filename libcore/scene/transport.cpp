@@ -33,7 +33,8 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"OPAQUE", scene.anyOpaque()},
             {"METALS", scene.anyMetal()},
             {"ROUGH", scene.anyRough()},
-            {"COATS", scene.firstCoated() != nullptr}};
+            {"COATS", scene.firstCoated() != nullptr},
+            {"CRYSTALS", scene.anyCrystal()}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

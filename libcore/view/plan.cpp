@@ -1,6 +1,7 @@
 // What a picture of a scene calls for, decided before anything is allocated.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/error.h"
+#include "scene/crystals.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
 #include "view/domains.h"
@@ -42,6 +43,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     add(named("coat"));
     add(named("metal"));
     add(named("roughness"));
+    add(named("crystals"));
     const bool stored = !scene.light.surfaces.empty(), points = !params.points.empty();
     const bool matt = scene.anyMatt();
     add({"irradiance", matt && (stored || points),
@@ -80,16 +82,17 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
 void tellEffects(Plan& plan, const Params& params) {
     const scene::Scene& scene = plan.scene;
     plan.bends = scene::effectNamed(scene::effectsOf(scene, params), "refraction").on;
-    plan.dims = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
+    plan.dims = scene.anyHas(&Region::absorption) ||
+                scene.anyHas(&Region::absorptionExtraordinary) || scene.anyHas(&Region::scattering);
     plan.emits = scene.anyHas(&Region::emission);
     plan.opaque = scene.anyOpaque();
     plan.scatters = scene.anyHas(&Region::scattering) && plan.lit();
     plan.anisotropic =
         plan.scatters && scene.anyHas(&Region::anisotropy) && !scene.light.direction.isZero();
-    plan.colour =
-        scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
-        (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
-        (plan.scatters && !scene.light.fluence.grey());
+    plan.colour = scene.anyColoured({&Region::absorption, &Region::absorptionExtraordinary,
+                                     &Region::scattering, &Region::emission}) ||
+                  (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
+                  (plan.scatters && !scene.light.fluence.grey());
 }
 
 Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
@@ -100,6 +103,9 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     wanted.emission = wanted.surfaces = wanted.light = true;
     plan.scene = scene::read(files, wanted);
     const scene::Scene& scene = plan.scene;
+    if (const Region* crystal = scene::crystalAt(scene, params.camera.eye))
+        throw DataError(scene.path + ": the eye is within the crystal '" + crystal->name +
+                        "', expected it outside");
     plan.map = hasMap;
     tellEffects(plan, params);
     plan.ground = scene::readGround(files, scene);

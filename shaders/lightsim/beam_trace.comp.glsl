@@ -96,7 +96,7 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
         load.outward = opaqueNormalAt(at);
     }
     if (kMedium) {
-        Extinction medium = extinctionOf(piece);
+        Extinction medium = extinctionOf(piece, path.mode);
         dim(path, medium.absorbed + medium.scattered, extent);
     }
 }
@@ -194,7 +194,7 @@ Path pathFromParent(uint id, inout Load load) {
     bool goes = parent.event.x == uint(kMeets) && (ways[id] >> (params.kind.x >> load.taken & 1u) & 1u) == 1u;
     if (goes && kObjects > 0) {
         Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
-        Interface at = interfaceAt(path.ray, path.objects, hit);
+        Interface at = interfaceAt(path, hit);
         scatterAndLand(path, load, at, isCoated(at));
     } else {
         path.status = kNone;
