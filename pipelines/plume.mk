@@ -47,5 +47,5 @@ $(WORK)/air.vdb: $(SIMULATION) FORCE
 
 # A knife edge across X: grey where a ray goes straight on.
 $(OUT)/plume.png: $(WORK)/air.vdb
-	$(BIN)/render $< -o $(WORK)/rays.exr --aov exit_direction $(VIEW)
-	oiiotool $(WORK)/rays.exr --ch exit_direction.X --mulc $(GAIN) --addc 0.5 --clamp:min=0:max=1 -d uint8 -o $@
+	$(BIN)/render $< -o $(WORK)/rays.exr --aov deflection $(VIEW)
+	oiiotool $(WORK)/rays.exr --ch deflection.X --mulc $(GAIN) --addc 0.5 --clamp:min=0:max=1 -d uint8 -o $@

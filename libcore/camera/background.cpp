@@ -23,8 +23,8 @@ constexpr int kRows = 64;
 /// `copy(plane, row, rows, out)` writes a channel to every fourth number from `out` on.
 template<typename Number, typename Copy>
 gpu::Texture uploaded(gpu::Device& device, const image::Image& map, gpu::TexelFormat format,
-                      const Copy& copy) {
-    gpu::Texture texture(device, {map.width, map.height, 0}, format, gpu::Filter::nearest);
+                      gpu::Filter filter, const Copy& copy) {
+    gpu::Texture texture(device, {map.width, map.height, 0}, format, filter);
     std::vector<Number> rgba(static_cast<size_t>(map.width) * kRows * 4);
     for (int row = 0; row < map.height; row += kRows) {
         const int rows = std::min(kRows, map.height - row);
@@ -43,14 +43,15 @@ void Background::check() const {
                   "a number of degrees");
 }
 
-gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map) {
+gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map,
+                     gpu::Filter filter) {
     if (!map) return {};
     if (image::areHalves(*map))
-        return uploaded<std::uint16_t>(device, *map, gpu::TexelFormat::rgba16f,
+        return uploaded<std::uint16_t>(device, *map, gpu::TexelFormat::rgba16f, filter,
                                        [&](size_t c, int row, int rows, std::uint16_t* out) {
                                            image::copyHalves(*map, c, row, rows, out, 4);
                                        });
-    return uploaded<float>(device, *map, gpu::TexelFormat::rgba32f,
+    return uploaded<float>(device, *map, gpu::TexelFormat::rgba32f, filter,
                            [&](size_t c, int row, int rows, float* out) {
                                const auto width = static_cast<size_t>(map->width);
                                const auto first = static_cast<size_t>(row) * width;

@@ -22,7 +22,8 @@ struct Background {
 };
 
 /// The map as a texture; none if there is none.
-gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map);
+gpu::Texture makeMap(gpu::Device& device, const std::optional<image::Image>& map,
+                     gpu::Filter filter = gpu::Filter::nearest);
 
 /// What it takes on the device, at most.
 gpu::Need mapNeed(const image::Image& map);

@@ -43,6 +43,25 @@ CameraAxes axesOf(const Camera& camera) {
     return {forward, right, glm::cross(right, forward)};
 }
 
+Eye::Eye(const Camera& camera)
+    : mCamera(camera), mAxes(axesOf(camera)),
+      mHalf(camera.parallel ? 0.5 * camera.height : std::tan(glm::radians(0.5 * camera.fov))) {}
+
+Ray Eye::rayThrough(const glm::dvec2& place) const {
+    const double x = mHalf * mCamera.aspect() * (2 * place.x / mCamera.width - 1);
+    const double y = mHalf * (1 - 2 * place.y / mCamera.rows);
+    const dvec3 offset = x * mAxes.right + y * mAxes.up;
+    if (mCamera.parallel) return {mCamera.eye + offset, mAxes.forward};
+    return {mCamera.eye, glm::normalize(mAxes.forward + offset)};
+}
+
+glm::dvec2 deflectionOf(const CameraAxes& axes, const dvec3& began, const dvec3& exit) {
+    const dvec3 right = glm::normalize(axes.right - glm::dot(axes.right, began) * began);
+    const dvec3 up = glm::normalize(axes.up - glm::dot(axes.up, began) * began);
+    const double ahead = glm::dot(exit, began);
+    return {std::atan2(glm::dot(exit, right), ahead), std::atan2(glm::dot(exit, up), ahead)};
+}
+
 glm::dmat4 cameraFromWorld(const Camera& camera) {
     const CameraAxes axes = axesOf(camera);
     glm::dmat4 matrix(1.0);

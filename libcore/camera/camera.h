@@ -5,6 +5,7 @@
 #include "image/exr.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace eikonal::camera {
@@ -26,6 +27,28 @@ struct CameraAxes {
     glm::dvec3 forward, right, up;
 };
 CameraAxes axesOf(const Camera& camera);
+
+struct Ray {
+    glm::dvec3 start{0}, direction{0}; ///< of length 1
+};
+
+/// Rays of a camera, in the world.
+class Eye {
+public:
+    explicit Eye(const Camera& camera);
+    /// Through a place of the picture [pixel]: (0, 0) its upper left corner.
+    Ray rayThrough(const glm::dvec2& place) const;
+
+private:
+    Camera mCamera;
+    CameraAxes mAxes;
+    double mHalf; ///< of the picture's height, at distance 1 if in perspective [unit]
+};
+
+/// How far light is turned [rad]: the angles of its direction `exit` with the camera ray's,
+/// `began`, to the right and upward, along the picture's axes made perpendicular to that. All in
+/// one frame.
+glm::dvec2 deflectionOf(const CameraAxes& axes, const glm::dvec3& began, const glm::dvec3& exit);
 
 /// Right, up and forward as x, y, z, the eye at the origin [unit].
 glm::dmat4 cameraFromWorld(const Camera& camera);

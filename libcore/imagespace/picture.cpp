@@ -3,6 +3,7 @@
 #include "imagespace/picture.h"
 
 #include "camera/aovs.h"
+#include "camera/pattern.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -15,11 +16,20 @@ using glm::dvec3;
 
 struct Frame {
     dvec3 eye;
+    camera::CameraAxes axes;
     glm::dmat3 worldFromCamera;
+    camera::Eye rays;
+    glm::dvec2 place; ///< where in its pixel a ray goes whose path is kept
+    size_t width;
 
-    explicit Frame(const camera::Camera& camera) : eye(camera.eye) {
-        const camera::CameraAxes axes = camera::axesOf(camera);
-        worldFromCamera = glm::dmat3(axes.right, axes.up, axes.forward);
+    explicit Frame(const Params& params)
+        : eye(params.camera.eye), axes(camera::axesOf(params.camera)),
+          worldFromCamera(axes.right, axes.up, axes.forward), rays(params.camera),
+          place(camera::samplePattern(params.samples).front()),
+          width(static_cast<size_t>(params.camera.width)) {}
+
+    dvec3 beganAt(size_t pixel) const {
+        return rays.rayThrough(glm::dvec2(pixel % width, pixel / width) + place).direction;
     }
     dvec3 placeOf(const SurfacePath& path) const {
         return eye + worldFromCamera * dvec3(path.place);
@@ -35,30 +45,38 @@ bool isOnPlate(const SurfacePath& path) {
 struct Aov {
     const char* name;
     const char* components; ///< "" for Z alone, whose name every reader knows
-    dvec3 (*valueOf)(const SurfacePath&, const Frame&);
+    dvec3 (*valueOf)(const SurfacePath&, const Frame&, size_t pixel);
 };
 
 constexpr Aov kAovTable[] = {
     {"exit_position", "XYZ",
-     [](const SurfacePath& path, const Frame& frame) { return frame.placeOf(path); }},
+     [](const SurfacePath& path, const Frame& frame, size_t) { return frame.placeOf(path); }},
     {"exit_direction", "XYZ",
-     [](const SurfacePath& path, const Frame& frame) {
+     [](const SurfacePath& path, const Frame& frame, size_t) {
          return glm::normalize(frame.worldFromCamera * dvec3(path.direction));
      }},
+    {"deflection", "XY",
+     [](const SurfacePath& path, const Frame& frame, size_t pixel) {
+         return dvec3(
+             camera::deflectionOf(frame.axes, frame.beganAt(pixel),
+                                  glm::normalize(frame.worldFromCamera * dvec3(path.direction))),
+             0);
+     }},
     {"transmittance", "RGB",
-     [](const SurfacePath& path, const Frame&) { return dvec3(path.through); }},
+     [](const SurfacePath& path, const Frame&, size_t) { return dvec3(path.through); }},
     {"optical_path_length", "V",
-     [](const SurfacePath& path, const Frame&) { return dvec3(path.place.w); }},
+     [](const SurfacePath& path, const Frame&, size_t) { return dvec3(path.place.w); }},
     {"path_length", "V",
-     [](const SurfacePath& path, const Frame&) { return dvec3(path.direction.w); }},
-    {"steps", "V", [](const SurfacePath& path, const Frame&) { return dvec3(path.through.w); }},
-    {"Z", "", [](const SurfacePath& path, const Frame&) { return dvec3(path.place.z); }},
+     [](const SurfacePath& path, const Frame&, size_t) { return dvec3(path.direction.w); }},
+    {"steps", "V",
+     [](const SurfacePath& path, const Frame&, size_t) { return dvec3(path.through.w); }},
+    {"Z", "", [](const SurfacePath& path, const Frame&, size_t) { return dvec3(path.place.z); }},
     {"position", "XYZ",
-     [](const SurfacePath& path, const Frame& frame) {
+     [](const SurfacePath& path, const Frame& frame, size_t) {
          return isOnPlate(path) ? frame.placeOf(path) : dvec3(0);
      }},
     {"normal", "XYZ",
-     [](const SurfacePath& path, const Frame& frame) {
+     [](const SurfacePath& path, const Frame& frame, size_t) {
          return isOnPlate(path) ? frame.worldFromCamera * dvec3(path.outward) : dvec3(0);
      }},
 };
@@ -79,7 +97,7 @@ image::Image assemble(const Params& params, std::span<const vec4> colours,
     image::Image picture(params.camera.width, params.camera.rows);
     picture.addChannels({"R", "G", "B", "A"},
                         {reinterpret_cast<const float*>(colours.data()), colours.size() * 4}, 4);
-    const Frame frame(params.camera);
+    const Frame frame(params);
     const size_t pixels = paths.size() / 4;
     const auto pathOf = [&](size_t pixel) {
         return SurfacePath{paths[pixel], paths[pixels + pixel], paths[2 * pixels + pixel],
@@ -93,7 +111,7 @@ image::Image assemble(const Params& params, std::span<const vec4> colours,
             if (name == aov.name)
                 camera::addChannels(
                     picture, camera::channelsOf(aov.name, aov.components),
-                    [&](size_t pixel) { return aov.valueOf(pathOf(pixel), frame); });
+                    [&](size_t pixel) { return aov.valueOf(pathOf(pixel), frame, pixel); });
     return picture;
 }
 

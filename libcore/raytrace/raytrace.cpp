@@ -18,31 +18,6 @@ namespace {
 
 using glm::dvec3;
 
-/// Rays of a camera, as shaders/view/camera_ray.glsl has them.
-class Eye {
-public:
-    explicit Eye(const camera::Camera& camera)
-        : mCamera(camera), mAxes(camera::axesOf(camera)),
-          mHalf(camera.parallel ? 0.5 * camera.height : std::tan(glm::radians(0.5 * camera.fov))) {}
-
-    struct Ray {
-        dvec3 start, direction;
-    };
-    /// Through a place of the picture [pixel].
-    Ray rayThrough(const glm::dvec2& place) const {
-        const double x = mHalf * mCamera.aspect() * (2 * place.x / mCamera.width - 1);
-        const double y = mHalf * (1 - 2 * place.y / mCamera.rows);
-        const dvec3 offset = x * mAxes.right + y * mAxes.up;
-        if (mCamera.parallel) return {mCamera.eye + offset, mAxes.forward};
-        return {mCamera.eye, glm::normalize(mAxes.forward + offset)};
-    }
-
-private:
-    const camera::Camera& mCamera;
-    camera::CameraAxes mAxes;
-    double mHalf; ///< of the picture's height, at distance 1 if in perspective
-};
-
 double millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began)
         .count();
@@ -66,7 +41,7 @@ public:
             dvec3 light(0);
             double coverage = 0;
             for (size_t sample = 0; sample < mPlaces.size(); ++sample) {
-                const Eye::Ray ray = mEye.rayThrough(glm::dvec2(column, row) + mPlaces[sample]);
+                const camera::Ray ray = mEye.rayThrough(glm::dvec2(column, row) + mPlaces[sample]);
                 FirstPath first;
                 light +=
                     mScene.radiance(ray.start, ray.direction, withinAt(ray.start), first, counters);
@@ -88,7 +63,7 @@ private:
     const Scene& mScene;
     const Params& mParams;
     Pixels& mPixels;
-    Eye mEye;
+    camera::Eye mEye;
     std::vector<glm::dvec2> mPlaces;
     Windings mWithin; ///< the eye
 };

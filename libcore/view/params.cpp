@@ -20,6 +20,12 @@ void Params::check() const {
                   "1 to 4096");
     requireOption(maxSteps >= 0, "--max-steps", std::to_string(maxSteps), "0 or more");
     Background::check();
+    if (plate) {
+        requireOption(plate->distance > 0 && plate->distance <= 1e18, "--plate-distance",
+                      toText(plate->distance), "a distance above 0");
+        requireOption(plate->height >= 0 && plate->height <= 1e18, "--plate-height",
+                      toText(plate->height), "a height above 0");
+    }
     for (const std::string& name : aovs)
         requireOption(std::count(allAovs().begin(), allAovs().end(), name) == 1, "--aov",
                       "'" + name + "'", "one of " + join(allAovs(), ", "));

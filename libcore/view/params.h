@@ -4,9 +4,11 @@
 
 #include "camera/background.h"
 #include "camera/camera.h"
+#include "image/image.h"
 #include "optics/tracing.h"
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,14 @@ struct PointLights {
     bool empty() const { return places.empty(); }
 };
 
+/// A picture upright behind the scene, across the camera's axis.
+struct Plate {
+    image::Image picture; ///< radiance: exactly R, G and B
+    double distance = 0;  ///< from the eye along the axis [unit]
+    double height = 0;    ///< [unit]; 0: as much as covers the view
+    bool endless = true;  ///< beyond it are its border's pixels, or what surrounds the scene
+};
+
 struct Params : optics::Tracing, camera::Background {
     Camera camera;
     int maxDepth = 64; ///< sharp: most boundaries that a ray meets
@@ -38,6 +48,7 @@ struct Params : optics::Tracing, camera::Background {
     int samples = 1;  ///< rays of a pixel, see camera::samplePattern()
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
+    std::optional<Plate> plate;
     PointLights points; ///< where a pixel's first branch ends, in place of the stored light
 
     /// Throws UsageError naming the option that is wrong.

@@ -3,6 +3,8 @@
 #include "view/picture.h"
 
 #include "camera/aovs.h"
+#include "camera/pattern.h"
+#include "view/camera_ray.h"
 
 #include <algorithm>
 #include <array>
@@ -17,17 +19,34 @@ namespace {
 
 using glm::dvec3;
 
-/// Voxel space to the world, and the eye's own axis.
+/// Voxel space to the world, and the camera's own axes and rays.
 struct Places {
     glm::dmat4 worldFromVoxel;
     glm::dmat3 turn;
     double voxelSize;
     dvec3 eye, forward;
+    camera::CameraAxes axes; ///< in voxel space
+    ViewParams rays{};
+    glm::vec2 place; ///< where in its pixel a ray goes whose path is written
+    int width;
 
-    Places(const Plan& plan, const Camera& camera)
+    Places(const Plan& plan, const Params& params)
         : worldFromVoxel(glm::inverse(plan.scene.voxelFromWorld())),
-          turn(plan.scene.worldFromVoxelTurn()), voxelSize(plan.scene.voxelSize()), eye(camera.eye),
-          forward(axesOf(camera).forward) {}
+          turn(plan.scene.worldFromVoxelTurn()), voxelSize(plan.scene.voxelSize()),
+          eye(params.camera.eye), forward(axesOf(params.camera).forward),
+          place(camera::samplePattern(params.samples).front()), width(params.camera.width) {
+        const camera::CameraAxes world = axesOf(params.camera);
+        const glm::dmat3 voxelFromWorld = glm::transpose(turn);
+        axes = {voxelFromWorld * world.forward, voxelFromWorld * world.right,
+                voxelFromWorld * world.up};
+        setCamera(rays, params.camera, plan.scene);
+    }
+
+    /// The direction that a pixel's ray began along, in voxel space.
+    dvec3 beganAt(size_t pixel) const {
+        const auto at = static_cast<int>(pixel);
+        return cameraDirection(rays, {at % width, at / width}, place);
+    }
 
     dvec3 placeOf(const PixelPath& path) const {
         return dvec3(worldFromVoxel * glm::dvec4(dvec3(path.place), 1.0));
@@ -64,40 +83,47 @@ dvec3 outwardOf(const PixelPath& path) {
 struct Aov {
     const char* name;
     const char* components; ///< "" for Z alone, whose name every reader knows
-    dvec3 (*valueOf)(const PixelPath&, const Places&);
+    dvec3 (*valueOf)(const PixelPath&, const Places&, size_t pixel);
 };
 
 constexpr Aov kAovTable[] = {
     {"exit_position", "XYZ",
-     [](const PixelPath& path, const Places& places) { return places.placeOf(path); }},
+     [](const PixelPath& path, const Places& places, size_t) { return places.placeOf(path); }},
     {"exit_direction", "XYZ",
-     [](const PixelPath& path, const Places& places) {
+     [](const PixelPath& path, const Places& places, size_t) {
          return glm::normalize(places.turn * dvec3(path.direction));
      }},
+    {"deflection", "XY",
+     [](const PixelPath& path, const Places& places, size_t pixel) {
+         return dvec3(
+             camera::deflectionOf(places.axes, places.beganAt(pixel), dvec3(path.direction)), 0);
+     }},
     {"transmittance", "RGB",
-     [](const PixelPath& path, const Places&) { return dvec3(path.through); }},
+     [](const PixelPath& path, const Places&, size_t) { return dvec3(path.through); }},
     {"optical_path_length", "V",
-     [](const PixelPath& path, const Places& places) {
+     [](const PixelPath& path, const Places& places, size_t) {
          return dvec3(static_cast<double>(path.place.w) * places.voxelSize);
      }},
     {"path_length", "V",
-     [](const PixelPath& path, const Places& places) {
+     [](const PixelPath& path, const Places& places, size_t) {
          return dvec3(static_cast<double>(path.direction.w) * places.voxelSize);
      }},
-    {"steps", "V", [](const PixelPath& path, const Places&) { return dvec3(path.through.w); }},
+    {"steps", "V",
+     [](const PixelPath& path, const Places&, size_t) { return dvec3(path.through.w); }},
     {"Z", "",
-     [](const PixelPath& path, const Places& places) {
+     [](const PixelPath& path, const Places& places, size_t) {
          return dvec3(glm::dot(places.placeOf(path) - places.eye, places.forward));
      }},
     {"position", "XYZ",
-     [](const PixelPath& path, const Places& places) {
+     [](const PixelPath& path, const Places& places, size_t) {
          return isOnSurface(path) ? places.placeOf(path) : dvec3(0);
      }},
     {"normal", "XYZ",
-     [](const PixelPath& path, const Places& places) {
+     [](const PixelPath& path, const Places& places, size_t) {
          return isOnSurface(path) ? glm::normalize(places.turn * outwardOf(path)) : dvec3(0);
      }},
-    {"error", "V", [](const PixelPath& path, const Places&) { return dvec3(path.error.x); }},
+    {"error", "V",
+     [](const PixelPath& path, const Places&, size_t) { return dvec3(path.error.x); }},
 };
 
 /// For the rays that rest: some thousands, where few of a strip do.
@@ -224,7 +250,7 @@ image::Image Picture::assemble(const std::vector<Plan>& plans, const Params& par
                         {reinterpret_cast<const float*>(mPixels.data()), mPixels.size() * 4}, 4);
     if (mPixelPaths.empty()) return picture;
     std::vector<Places> places;
-    for (const Plan& plan : plans) places.emplace_back(plan, params.camera);
+    for (const Plan& plan : plans) places.emplace_back(plan, params);
     if (std::any_of(plans.begin(), plans.end(),
                     [](const Plan& plan) { return plan.dims && plan.colour; }))
         camera::addChannels(picture, {"AR", "AG", "AB"},
@@ -235,7 +261,7 @@ image::Image Picture::assemble(const std::vector<Plan>& plans, const Params& par
                 camera::addChannels(picture, camera::channelsOf(aov.name, aov.components),
                                     [&](size_t pixel) {
                                         const PixelPath& path = mPixelPaths[pixel];
-                                        return aov.valueOf(path, places[domainOf(path)]);
+                                        return aov.valueOf(path, places[domainOf(path)], pixel);
                                     });
     return picture;
 }

@@ -7,6 +7,7 @@
 #include "view/domains.h"
 #include "view/overlaps.h"
 #include "view/picture.h"
+#include "view/plate.h"
 #include "view/rays.h"
 #include "view/shared.h"
 #include "view/view.h"
@@ -59,6 +60,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
          plan.map ? "--env"
          : glows  ? "--background"
                   : "neither --env nor --background"});
+    add({"plate", params.plate.has_value(), params.plate ? "--plate" : "no --plate"});
     add({"ground", plan.ground && scene.sharp,
          !plan.ground  ? "no metadata 'eikonal:ground'"
          : scene.sharp ? "metadata 'eikonal:ground'"
@@ -125,6 +127,7 @@ std::vector<gpu::Need> needsOf(const std::vector<Plan>& plans, const Params& par
     }
     add(pictureNeeds(plans, params));
     if (plans.size() > 1) add(domainNeeds(params));
+    if (params.plate) needs.push_back(plateNeed(*params.plate));
     if (!params.points.empty())
         needs.push_back({"the light of points",
                          32 * static_cast<std::int64_t>(params.points.places.size()), false,

@@ -3,8 +3,10 @@
 #include "view/rays.h"
 
 #include "scene/voxel_textures.h"
+#include "view/camera_ray.h"
 #include "view/ground.h"
 #include "view/picture.h"
+#include "view/plate.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,7 +14,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 
 namespace eikonal::view {
 
@@ -49,6 +50,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     list.emplace_back("AOVS", wantsPaths(plan, params));
     list.emplace_back("POINTS", !params.points.empty());
     list.emplace_back("GROUND", plan.ground.has_value());
+    list.emplace_back("PLATE", params.plate.has_value());
     list.emplace_back("DOMAINS", plan.several);
     const scene::SurfaceLight& surfaces = plan.scene.light.surfaces;
     list.emplace_back("SURFACES", surfaces.empty() ? 0 : surfaces.grey() ? 1 : 3);
@@ -188,10 +190,14 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
         const GroundParams ground = groundParams(*plan.ground, plan.scene);
         mGround = gpu::Buffer(device, sizeof ground, &ground);
     }
+    if (params.plate) {
+        const PlateParams plate = plateParams(*params.plate, params.camera, plan.scene);
+        mPlate = gpu::Buffer(device, sizeof plate, &plate);
+        mPlatePicture = makePlateTexture(device, *params.plate);
+    }
     profiler.end();
     const scene::Scene& scene = plan.scene;
-    const Camera& camera = params.camera;
-    const double h = scene.voxelSize(), step = stepOf(plan, params);
+    const double step = stepOf(plan, params);
     const double usual = params.integrator == Integrator::adaptive
                              ? std::min(step, 0.25) // what hard places take
                              : step;
@@ -202,25 +208,13 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     const float outside = scene.index.background;
     mValues.medium =
         vec4(outside, params.cutoff, scene.index.backgroundDispersion, 1 / (outside * outside));
-    const glm::dmat4 voxelFromWorld = scene.voxelFromWorld();
-    const glm::dmat3 turn(glm::dmat3(voxelFromWorld) * h);
-    const camera::CameraAxes axes = axesOf(camera);
-    const double half =
-        camera.parallel ? 0.5 * camera.height / h : std::tan(glm::radians(0.5 * camera.fov));
-    const dvec3 eye(voxelFromWorld * glm::dvec4(camera.eye, 1.0));
-    const glm::vec3 eyeHigh(eye);
-    mValues.eyeHigh = vec4(eyeHigh, camera.parallel ? 0 : 1);
-    mValues.eyeLow = vec4(glm::vec3(eye - dvec3(eyeHigh)), 0);
-    mValues.forward = vec4(turn * axes.forward, 0);
-    mValues.right = vec4(half * camera.aspect() * (turn * axes.right), 0);
-    mValues.up = vec4(half * (turn * axes.up), 0);
+    setCamera(mValues, params.camera, scene);
     mValues.background = camera::backgroundValues(params, map);
     const glm::dmat3 rows =
         glm::transpose(camera::mapFromFrame(params, scene.worldFromVoxelTurn()));
     mValues.mapFromVoxel0 = vec4(rows[0], 0);
     mValues.mapFromVoxel1 = vec4(rows[1], 0);
     mValues.mapFromVoxel2 = vec4(rows[2], 0);
-    mValues.picture = ivec4(camera.width, camera.rows, 0, 0);
 }
 
 void Rays::uploadPoints(gpu::Device& device, const Plan& plan, const PointLights& points) {
@@ -253,6 +247,10 @@ void Rays::bind() const {
         mPointLights.bindSampler(kPointLightsUnit);
     }
     if (mGround.bytes() > 0) mGround.bindUniform(kGroundBlock);
+    if (mPlate.bytes() > 0) {
+        mPlate.bindUniform(kPlateBlock);
+        mPlatePicture.bindSampler(kPlateUnit);
+    }
     mBlock.bindUniform(kParamsBlock);
 }
 

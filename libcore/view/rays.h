@@ -53,8 +53,8 @@ private:
     gpu::Program mProgram;
     scene::Transport mTransport;
     Media mMedia;
-    gpu::Texture mMap, mPointPlaces, mPointLights;
-    gpu::Buffer mBlock, mGround;
+    gpu::Texture mMap, mPlatePicture, mPointPlaces, mPointLights;
+    gpu::Buffer mBlock, mGround, mPlate;
     ViewParams mValues{};
     int mWidth;
 };

@@ -14,9 +14,11 @@ using glm::vec4;
 #include "shared/bindings.h"
 #include "shared/domain_params.h"
 #include "shared/ground_params.h"
+#include "shared/plate_params.h"
 #include "shared/view_params.h"
 
 static_assert(sizeof(GroundParams) == 128 + 64 * 160);
+static_assert(sizeof(PlateParams) == 64);
 static_assert(sizeof(ViewParams) == 240);
 static_assert(sizeof(DomainParams) == 16 * (128 + 16) + 32);
 static_assert(sizeof(Departure) == 96);

@@ -11,6 +11,7 @@ const int kSurfaceBlock = 5;   // SurfaceParams
 const int kSpectrumBlock = 6;  // SpectrumParams
 const int kGroundBlock = 7;    // GroundParams
 const int kDomainsBlock = 8;   // DomainParams
+const int kPlateBlock = 9;     // PlateParams
 
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
@@ -38,6 +39,7 @@ const int kFluenceUnit = 6;     // [W/m²]
 const int kEnvironmentUnit = 7; // radiance
 const int kPointPlacesUnit = 18; // of a picture whose points' light is known [voxel]
 const int kPointLightsUnit = 19; // that light [W/m²]
+const int kPlateUnit = 23;       // a picture behind the scene, radiance
 
 // view: storage buffers.
 const int kColoursBuffer = 0;    // premultiplied RGBA per pixel

@@ -30,8 +30,11 @@ bool goesOn(Path path, Load load, vec3 direction) {
 // What is straight ahead of a path beyond the domain. On the ground it ends, as on any opaque surface.
 void seeBeyond(inout Path path, inout Load load, vec3 direction) {
     float way = kGround ? wayToGround(path.ray.x, direction) : -1.0;
+    float plateWay = kPlate ? wayToPlate(path.ray.x, direction) : -1.0;
     vec3 seen = vec3(0.0);
-    if (kGround && way >= 0.0) {
+    if (kPlate && plateWay >= 0.0 && !(way >= 0.0 && way < plateWay)) {
+        seen = plateLight(path.ray.x + plateWay * direction);
+    } else if (kGround && way >= 0.0) {
         seen = groundLight(path.ray.x, direction, way);
         if (load.first) load.outward = isAbove(path.ray.x) ? ground.plane.xyz : -ground.plane.xyz;
         path.ray.x += way * direction;

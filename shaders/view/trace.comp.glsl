@@ -12,9 +12,9 @@
 
 #if !defined(CHANNELS) || !defined(SOURCE) || !defined(EMISSION) || !defined(MAP) || \
     !defined(AOVS) || !defined(WAITING) || !defined(SURFACES) || !defined(POINTS) || !defined(GROUND) || \
-    !defined(DOMAINS)
-#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS, GROUND, DOMAINS 0 or 1, \
-WAITING from 1
+    !defined(PLATE) || !defined(DOMAINS)
+#error SOURCE must be 0 to 2, CHANNELS, SURFACES 0, 1, 3, EMISSION, MAP, AOVS, POINTS, GROUND, PLATE, DOMAINS \
+0 or 1, WAITING from 1
 #endif
 // POINTS: light is known for the points where first branches end.
 const bool kDims = CHANNELS > 0;      // something absorbs or scatters
@@ -25,6 +25,7 @@ const bool kEmission = EMISSION == 1; // something emits; if blurred, beside ani
 const bool kMap = MAP == 1;           // an environment map surrounds the scene, not a colour
 const bool kAovs = AOVS == 1;         // each ray's path is written, beside its colour
 const bool kGround = GROUND == 1;     // an infinite plane goes on beyond the domain
+const bool kPlate = PLATE == 1;       // a picture stands behind the scene
 const bool kDomains = DOMAINS == 1;   // there are several
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -50,6 +51,7 @@ vec3 begunAlong = vec3(0.0); // the ray, in this domain
 #include "view/counters.glsl"
 #include "view/surface.glsl"
 #include "view/ground.glsl"
+#include "view/plate.glsl"
 #include "view/domains.glsl"
 
 // What a pixel's ray has met on all its branches so far.

@@ -27,6 +27,7 @@ std::vector<Owned> viewBindings() {
             {"emission beside lobes", of({}, {}, {kEmissionUnit})},
             {"dispersion", of({kSpectrumBlock}, {}, {kDispersedFieldUnit})},
             {"environment map", of({}, {}, {kEnvironmentUnit})},
+            {"plate", of({kPlateBlock}, {}, {kPlateUnit})},
             // What light falls on a surface is looked up there.
             {"opaque surface",
              of({kSurfaceBlock}, {},

@@ -352,6 +352,9 @@ std::vector<Case> viewCases(const Scale& scale) {
     });
     cases.push_back(viewCase("environment map", {"refraction", "environment map"},
                              volumeOf(scale, true, {}), params, mapOfStripes()));
+    view::Params plate = params;
+    plate.plate = view::Plate{mapOfStripes(), 5};
+    cases.push_back(viewCase("plate", {"refraction", "plate"}, volumeOf(scale, true, {}), plate));
     add("opaque surface", {"opaque surface"}, addSurface);
     add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
     cases.push_back(viewCase("opaque surface, light of points",

@@ -165,3 +165,20 @@ TEST(SlabExits, HoldWhereAllDepthsAreEqual) {
 }
 
 } // namespace
+
+TEST(Exits, DeflectionIsTheExitsAnglesInThePicturesAxes) {
+    Params params = paramsFor(24, true); // along -Z, X to the right, Y up
+    params.ior = 1.2;
+    const image::Image picture = pictureOf(params, {smooth(mesh::icosphere(1, 5)), {}});
+    double most = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const dvec3 exit = valueAt(picture, "exit_direction", x, y);
+            const double right = std::atan2(exit.x, -exit.z), up = std::atan2(exit.y, -exit.z);
+            const size_t at = static_cast<size_t>(y * picture.width + x);
+            EXPECT_NEAR(picture.plane(*picture.find("deflection.X"))[at], right, 1e-6);
+            EXPECT_NEAR(picture.plane(*picture.find("deflection.Y"))[at], up, 1e-6);
+            most = std::max(most, right);
+        }
+    EXPECT_GT(most, 0.1);
+}

@@ -240,5 +240,27 @@ TEST(Bodies, ThePictureDoesNotDependOnThreads) {
     EXPECT_EQ(one, by(5));
 }
 
+TEST(Bodies, DeflectionIsTheExitsAnglesInThePicturesAxes) {
+    Params params = lookingFrom({0, 0, 4}, 24, {"exit_direction", "deflection"});
+    const image::Image picture = rendered(params, {glass(smooth(mesh::icosphere(1, 4)))});
+    const auto at = [&](const char* channel, size_t i) {
+        return picture.plane(*picture.find(channel))[i];
+    };
+    double most = 0;
+    for (size_t i = 0; i < picture.area(); ++i) {
+        const dvec3 began = rayOf(params.camera, i), exit = vectorAt(picture, "exit_direction.", i);
+        // Each is the angle of a projection, so below that of the directions themselves.
+        const double angle = glm::radians(degreesBetween(began, exit));
+        EXPECT_LT(std::abs(at("deflection.X", i)), angle + 1e-6);
+        EXPECT_LT(std::abs(at("deflection.Y", i)), angle + 1e-6);
+        most = std::max(most, angle);
+        const double turned = exit.x / -exit.z - began.x / -began.z;
+        if (angle > 1e-3 && angle < 1) {
+            EXPECT_EQ(at("deflection.X", i) > 0, turned > 0);
+        }
+    }
+    EXPECT_GT(most, 0.5);
+}
+
 } // namespace
 } // namespace eikonal::raytrace

@@ -56,15 +56,16 @@ double errorOf(double contrast, bool inDouble, const dvec3& along, view::Params 
     const int rays = 31;
     const double spacing = 1.73; // rays lie everywhere between voxels
     params.camera = view::parallel(kCentre - 100.0 * along, kCentre, spacing, {rays, 1}).camera;
-    params.aovs = {"exit_direction"};
+    params.aovs = {"deflection"};
     const view::Look look(plume(contrast, inDouble), params);
     const dvec3 right = glm::normalize(glm::cross(along, dvec3(0, 1, 0)));
+    const dvec3 up = glm::cross(right, along);
     double error = 0, all = 0;
     for (int i = 0; i < rays; ++i) {
         const double off = (i - 0.5 * (rays - 1)) * spacing;
         const dvec3 wanted = turnOf(contrast, kCentre + off * right - 100.0 * along, along);
-        const dvec3 found = look.direction(i) - along;
-        const double missed = glm::length(found - glm::dot(found, along) * along - wanted);
+        const double missed = std::hypot(look.at("deflection.X", i) - glm::dot(wanted, right),
+                                         look.at("deflection.Y", i) - glm::dot(wanted, up));
         error += missed * missed;
         all += glm::dot(wanted, wanted);
     }

@@ -291,7 +291,7 @@ test_header_and_channels() {
     local text
     for text in '16 x *12, 2[0-9] channel, float openexr' 'eikonal:tool: "render"' \
         '^render in.vdb .*--aov all' worldtocamera: worldtoNDC: 'chromaticities: 0.64, 0.33' \
-        'exit_position.X' 'exit_direction.Z' 'transmittance.G' ' optical_path_length.V' \
+        'exit_position.X' 'exit_direction.Z' 'deflection.X' 'deflection.Y' 'transmittance.G' ' optical_path_length.V' \
         'position.Y' 'normal.Z' ' path_length.V' ' steps.V' ' Z[ ,(]' ' error.V' 'AR, AG, AB\|AB'; do
         grep -qi -e "$text" info || fail "'$text' is not in the header: $(cat info)"
     done
@@ -323,6 +323,31 @@ test_light_of_points() {
     refuses 65 floor.vdb $view -o out.exr --light floor.vdb
     refuses 66 floor.vdb $view -o out.exr --light nothing.exr
     rm -f points.exr light.exr dark.exr floor.vdb
+}
+
+test_plate() {
+    oiiotool --pattern constant:color=0.25,0.5,1 16x12 3 -d float -o plate.exr
+    refuses 64 in.vdb $view -o out.exr --plate plate.exr
+    says '--plate-distance'
+    refuses 64 in.vdb $view -o out.exr --plate-distance 9
+    says 'no --plate'
+    refuses 64 in.vdb $view -o out.exr --plate plate.exr --plate plate.exr --plate-distance 9
+    says 'one picture'
+    local value
+    for value in distance=0 distance=-1 distance=nan height=0 height=-1 height=inf; do
+        refuses 64 in.vdb $view -o out.exr --plate plate.exr --plate-distance 9 --plate-$value
+        says "--plate-${value%%=*}"
+    done
+    refuses 66 in.vdb $view -o out.exr --plate nothing.exr --plate-distance 9
+    refuses 65 in.vdb $view -o out.exr --plate in.vdb --plate-distance 9
+    expect 64 render in.vdb $view -o plate.exr --plate plate.exr --plate-distance 9
+    says 'is an input'
+    expect 0 render in.vdb $view -o out.exr --plate plate.exr --plate-distance 9 --explain
+    prints 'plate: on (--plate)'
+    expect 0 render in.vdb $view -o out.exr --plate plate.exr --plate-distance 90
+    oiiotool out.exr --cut 1x1+0+0 --printstats | grep -q 'Stats Avg: 0.25[0-9]* 0.5[0-9]* 1.0' ||
+        fail "the plate is not seen: $(oiiotool out.exr --cut 1x1+0+0 --printstats)"
+    rm -f plate.exr out.exr
 }
 
 test_several_outputs() {

@@ -1,7 +1,7 @@
 eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/curved_test.cpp
              view/sharp_test.cpp view/length_test.cpp view/kink_test.cpp view/pattern_test.cpp
-             view/samples_test.cpp view/points_test.cpp view/dispersion_test.cpp view/rough_test.cpp view/coat_test.cpp view/crystal_test.cpp
-             view/ground_test.cpp view/domains_test.cpp view/overlaps_test.cpp LIBRARIES judge test_support
+             view/samples_test.cpp view/points_test.cpp view/dispersion_test.cpp view/rough_test.cpp view/coat_test.cpp
+             view/ground_test.cpp view/plate_test.cpp view/domains_test.cpp view/overlaps_test.cpp LIBRARIES judge test_support
              LONG "LinearSamples.AreNoWorseThanPlainOnesAtEdges*" "ViewKink.*" "ViewGround.Meets*" "Domains.RaysGo*" "Domains.WhatIs*" "Domains.AnEye*"
              "Overlaps.A*" "Overlaps.Opaque*"
              "RoughView.Samples*" "Dispersion.FewShifted*")

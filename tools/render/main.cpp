@@ -46,6 +46,7 @@ view::PointLights readPoints(const std::string& path, const view::Camera& camera
 
 void renderVolumes(tool::Session& session, Options& o) {
     refuseMeshOptions(session.app());
+    const image::PictureName plate = o.takePlate(session.app());
     o.finishTracing();
     o.params.check();
     std::vector<places::Place> moved;
@@ -55,22 +56,25 @@ void renderVolumes(tool::Session& session, Options& o) {
     for (const places::Place& place : moved) inputs.push_back(place.path);
     const image::PictureName environment = image::parsePictureName(o.environment);
     if (!o.environment.empty()) inputs.push_back(environment.path);
+    if (!plate.path.empty()) inputs.push_back(plate.path);
     if (!o.light.empty()) inputs.push_back(o.light);
     session.guardInputs(inputs);
     for (const std::string& path : session.outputPaths()) checkOutput(path);
     // Colour, the rays' paths and every AOV are held until the picture is whole.
-    const size_t kFloats = 4 + 16 + 24 + 6;
+    const size_t kFloats = 4 + 16 + 26 + 6;
     image::checkSize(o.params.camera.width, o.params.camera.rows, kFloats, "--size " + o.size);
 
     std::vector<scene::Files> files;
     std::vector<view::Plan> plans;
     std::optional<image::Image> map;
     session.pass("read", [&] {
-        if (!o.environment.empty()) {
-            image::Environment read = image::readEnvironment(environment);
+        const auto readRadiance = [&](const image::PictureName& name) {
+            image::Environment read = image::readEnvironment(name);
             for (const std::string& warning : read.warnings) session.warn(warning);
-            map = std::move(read.map);
-        }
+            return std::move(read.map);
+        };
+        if (!o.environment.empty()) map = readRadiance(environment);
+        if (o.params.plate) o.params.plate->picture = readRadiance(plate);
         if (!o.light.empty()) o.params.points = readPoints(o.light, o.params.camera);
         files = places::grouped(placed, o.names);
         plans = view::makePlans(files, o.params, map.has_value());

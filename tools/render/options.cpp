@@ -62,9 +62,10 @@ void addMeshOptions(CLI::App& app, Options& o) {
         ->group(kGroup);
     app.add_option(
            "--plate", o.plates,
-           "a matt mesh beside the body, lit by the surroundings; default albedo 0.8; of dir "
-           "with --layers, and of rays")
-        ->type_name("MESH[:R,G,B]")
+           "of volumes a picture upright behind the scene, as a photograph; of dir with --layers "
+           "and "
+           "of rays a matt mesh beside the body, lit by the surroundings, default albedo 0.8")
+        ->type_name("PICTURE[:LAYER]|MESH[:R,G,B]")
         ->allow_extra_args(false)
         ->group(kGroup);
     app.add_option("--frames", o.frames,
@@ -97,6 +98,14 @@ void addOptions(CLI::App& app, Options& o) {
         ->allow_extra_args(false)
         ->group("Places");
     addCamera(app, p.camera, o.size);
+    app.add_option("--plate-distance", o.plateDistance,
+                   "of the picture of --plate from the eye [unit]")
+        ->type_name("D")
+        ->group("Background");
+    app.add_option("--plate-height", o.plateHeight,
+                   "its height [unit]; without, it covers the view")
+        ->type_name("H")
+        ->group("Background");
     auto* environment =
         app.add_option("--env", o.environment,
                        "lat-long environment map, EXR or another format; of an EXR a layer or part")
@@ -176,14 +185,30 @@ void Options::finishTracing() {
     static_cast<optics::Tracing&>(params) = tracing->finish();
 }
 
+image::PictureName Options::takePlate(const CLI::App& app) {
+    for (const char* name : {"--plate-distance", "--plate-height"})
+        if (isGiven(app, name) && plates.empty())
+            throw UsageError(std::string(name) + ": found no --plate, expected one beside it");
+    if (plates.empty()) return {};
+    if (plates.size() > 1)
+        throw UsageError("--plate: found '" + plates[1] + "', expected one picture behind volumes");
+    if (!isGiven(app, "--plate-distance"))
+        throw UsageError("--plate: found no --plate-distance, expected how far off the picture is");
+    requireOption(!isGiven(app, "--plate-height") || plateHeight > 0, "--plate-height",
+                  toText(plateHeight), "a height above 0");
+    // Its border goes on where nothing else is said to be beyond it.
+    const bool endless = !isGiven(app, "--env") && !isGiven(app, "--background");
+    params.plate = view::Plate{{}, plateDistance, plateHeight, endless};
+    return image::parsePictureName(plates.front());
+}
+
 std::vector<std::string> Options::aovNames(const std::vector<std::string>& all) const {
     if (aovs == "all") return all;
     return aovs.empty() ? std::vector<std::string>{} : split(aovs, ',');
 }
 
 void refuseMeshOptions(const CLI::App& app) {
-    for (const char* name :
-         {"--ior", "--absorption", "--search-steps", "--layers", "--plate", "--frames"})
+    for (const char* name : {"--ior", "--absorption", "--search-steps", "--layers", "--frames"})
         if (isGiven(app, name))
             throw UsageError(std::string(name) +
                              ": is of meshes, expected --method dir, isr, sir or "
@@ -208,6 +233,8 @@ void refuseOptionsFor(const CLI::App& app, const std::string& method) {
             refuse("it with --method trace or rays, or with --layers");
         if (name == "--plate" && !(layered || method == "rays"))
             refuse("--method rays, or dir with --layers");
+        if (name == "--plate-distance" || name == "--plate-height")
+            refuse("it with --method trace");
         if (name == "--search-steps" && (method != "dir" || layered))
             refuse("it with --method dir, without --layers");
         if (name == "--layers" && method != "dir") refuse("it with --method dir");

@@ -26,12 +26,16 @@ struct Options {
     double ior = 0;
     glm::dvec3 absorption{0};
     int searchSteps = 5, layers = 0;
-    std::vector<std::string> plates;
+    std::vector<std::string> plates;           ///< of volumes one, a picture
+    double plateDistance = 0, plateHeight = 0; ///< [unit]; height 0: not given
 
     /// What texts mean that every method has. Throws UsageError.
     void finish(const CLI::App& app);
     /// The same of those that volumes alone have.
     void finishTracing();
+    /// Of volumes: the picture of --plate, none if its path is empty; the place of that goes into
+    /// `params`. Throws UsageError.
+    image::PictureName takePlate(const CLI::App& app);
     /// The names of --aov, where `all` are those that there are.
     std::vector<std::string> aovNames(const std::vector<std::string>& all) const;
 };

@@ -1,0 +1,2 @@
+# Uniaxial crystals, end to end.
+eikonal_test(test_crystals SOURCES crystals/view_test.cpp LIBRARIES judge test_support)
