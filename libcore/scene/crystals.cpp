@@ -58,6 +58,17 @@ void refuseBlurredCrystals(const volume::Volume& volume) {
                             "' is a crystal, expected --boundary sharp");
 }
 
+void refuseCrystalGrids(const Files& files) {
+    for (const volume::Volume* volume : files.all())
+        for (const volume::GridFacts& grid : volume->grids()) {
+            const std::string name = grid.name.substr(0, grid.name.find('.'));
+            if (name == "axis" || name == "ior_extraordinary" || name == "absorption_extraordinary")
+                throw DataError(volume->path() + ": has a grid '" + grid.name +
+                                "', expected crystals by metadata of their level sets: those that "
+                                "vary in space are not traced");
+        }
+}
+
 bool anyCrystalDisperses(const Scene& scene) {
     return std::any_of(scene.regions.begin(), scene.regions.end(), [](const Region& region) {
         return region.crystal && region.crystal->dispersion != 0;

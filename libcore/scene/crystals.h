@@ -14,6 +14,10 @@ void settleCrystals(Scene& scene);
 /// Throws DataError of a crystal in a file whose boundaries are to be blurred.
 void refuseBlurredCrystals(const volume::Volume& volume);
 
+/// Throws DataError of grids `axis`, `ior_extraordinary` or `absorption_extraordinary`: crystals
+/// that vary in space are not traced.
+void refuseCrystalGrids(const Files& files);
+
 /// Whether some crystal's n_e depends on the wavelength.
 bool anyCrystalDisperses(const Scene& scene);
 

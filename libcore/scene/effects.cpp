@@ -33,7 +33,8 @@ Effect dispersion(const Scene& scene, const optics::Wavelengths& wavelengths) {
         const Region* who = firstRegion(scene, [](const Region& region) {
             return region.crystal && region.crystal->dispersion != 0;
         });
-        effect = {effect.name, true, "'" + who->name + "' has it"};
+        effect = {effect.name, true,
+                  who ? "'" + who->name + "' has it" : "waves of a crystal interfere"};
     }
     if (!effect.on) return effect;
     if (scene.disperses) return {effect.name, true, effect.why + ": " + wavelengths.text()};

@@ -254,6 +254,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
     const volume::Volume* objects = files.withObjects();
     scene.sharp = wanted.boundary == optics::Boundary::sharp ||
                   (wanted.boundary == optics::Boundary::automatic && objects != nullptr);
+    refuseCrystalGrids(files);
     if (!scene.sharp && objects != nullptr) refuseBlurredCrystals(*objects);
     if (scene.sharp) {
         if (objects == nullptr) files.first().require("sdf");

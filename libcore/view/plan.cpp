@@ -81,6 +81,23 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
 
 } // namespace
 
+namespace {
+
+/// Where the waves of a weak crystal interfere light is traced by wavelength, even if nothing
+/// disperses.
+void letInterfere(scene::Scene& scene, const optics::Wavelengths& wavelengths) {
+    const double kWeak = 0.01; // as shaders/transport/regions.glsl has it
+    const bool any = std::any_of(scene.regions.begin(), scene.regions.end(), [&](const Region& r) {
+        return r.crystal && std::abs(r.crystal->index - r.index.value.x) <= kWeak;
+    });
+    if (!any || scene.disperses || !wavelengths.disperse()) return;
+    scene.disperses = true;
+    scene.index.dispersed = scene.index.grid;
+    scene.index.dispersedRest = scene.index.rest;
+}
+
+} // namespace
+
 void tellEffects(Plan& plan, const Params& params) {
     const scene::Scene& scene = plan.scene;
     plan.bends = scene::effectNamed(scene::effectsOf(scene, params), "refraction").on;
@@ -108,6 +125,10 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     if (const Region* crystal = scene::crystalAt(scene, params.camera.eye))
         throw DataError(scene.path + ": the eye is within the crystal '" + crystal->name +
                         "', expected it outside");
+    if (params.polarises() && (scene.anyMetal() || scene.anyRough()))
+        throw DataError(scene.path + ": has metal or rough boundaries, which --polarizer and "
+                                     "--back-polarizer expect none of");
+    if (params.unit > 0) letInterfere(plan.scene, params.wavelengths);
     plan.map = hasMap;
     tellEffects(plan, params);
     plan.ground = scene::readGround(files, scene);
@@ -192,6 +213,8 @@ std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& para
     }
     mergeOverlapping(plans, params);
     if (plans.size() == 1) return plans;
+    if (params.polarises())
+        throw UsageError("--polarizer: found volumes in places of their own, expected one place");
     if (plans.size() > static_cast<size_t>(kMostDomains))
         throw DataError(std::to_string(plans.size()) +
                         " volumes in places of their own, expected " +

@@ -18,6 +18,7 @@ struct Uniaxial {
 const int kUnsplit = 0; // a path's mode, in an isotropic medium
 const int kOrdinary = 1;
 const int kExtraordinary = 2;
+const int kTogether = 3; // both waves along one way, by their phases
 
 // Where light of wave vector k goes, of length 1: ∂H/∂k.
 vec3 rayDirection(Uniaxial medium, int mode, vec3 k) {
@@ -204,23 +205,35 @@ Parts closed(Parts parts) {
     return Parts(scale * parts.on, scale * parts.back);
 }
 
-// Light of two waves at once: their shares and the real part of how they go together, as a symmetric matrix
-// (xx, yy, xy).
+// Light of two waves at once: their shares and how they go together, E_o E_e*, as (xx, yy, Re xy, Im xy).
 
 // What becomes of light `state` by the amplitudes from o and e.
-vec3 sentOn(vec3 state, vec4 fromO, vec4 fromE) {
-    vec3 x = vec3(fromO.x * fromO.x + fromO.y * fromO.y, fromE.x * fromE.x + fromE.y * fromE.y,
-                  fromO.x * fromE.x + fromO.y * fromE.y);
-    vec3 y = vec3(fromO.z * fromO.z + fromO.w * fromO.w, fromE.z * fromE.z + fromE.w * fromE.w,
-                  fromO.z * fromE.z + fromO.w * fromE.w);
-    float both = state.x * (fromO.x * fromO.z + fromO.y * fromO.w) +
-                 state.y * (fromE.x * fromE.z + fromE.y * fromE.w) +
-                 state.z * (fromO.x * fromE.z + fromO.y * fromE.w + fromE.x * fromO.z + fromE.y * fromO.w);
-    return vec3(state.x * x.x + state.y * x.y + 2.0 * state.z * x.z,
-                state.x * y.x + state.y * y.y + 2.0 * state.z * y.z, both);
+vec4 sentOn(vec4 state, vec4 fromO, vec4 fromE) {
+    vec2 oo = complexProduct(vec2(fromO.x, fromO.y), vec2(fromO.z, -fromO.w));
+    vec2 ee = complexProduct(vec2(fromE.x, fromE.y), vec2(fromE.z, -fromE.w));
+    vec2 oe = complexProduct(vec2(fromO.x, fromO.y), vec2(fromE.z, -fromE.w));
+    vec2 eo = complexProduct(vec2(fromE.x, fromE.y), vec2(fromO.z, -fromO.w));
+    vec2 o = complexProduct(vec2(fromO.x, fromO.y), vec2(fromE.x, -fromE.y));
+    vec2 e = complexProduct(vec2(fromO.z, fromO.w), vec2(fromE.z, -fromE.w));
+    vec2 with = vec2(state.z, state.w);
+    vec2 both = state.x * oo + state.y * ee + complexProduct(with, oe) +
+                complexProduct(vec2(with.x, -with.y), eo);
+    float x = state.x * (fromO.x * fromO.x + fromO.y * fromO.y) +
+              state.y * (fromE.x * fromE.x + fromE.y * fromE.y) + 2.0 * complexProduct(with, o).x;
+    float y = state.x * (fromO.z * fromO.z + fromO.w * fromO.w) +
+              state.y * (fromE.z * fromE.z + fromE.w * fromE.w) + 2.0 * complexProduct(with, e).x;
+    return vec4(x, y, both.x, both.y);
 }
 
-// The same from partly polarised light, as a vector along E, whose length is the square root of the degree; 0 is
+// By how much of its length the o-wave's optical path is longer than the e-wave's along one ray, whose cosine with
+// the axis is c.
+float indexDifference(Uniaxial medium, float c) {
+    float across = 1.0 - c * c;
+    float e = sqrt(medium.o * medium.o * c * c + medium.e * medium.e * across);
+    return across * (medium.o - medium.e) * (medium.o + medium.e) / (medium.o + e);
+}
+
+// (xx, yy, Re xy) of light that is partly polarised along a vector, as long as the square root of the degree; 0 is
 // unpolarised.
 vec3 stateOf(vec2 polarisation) {
     float rest = 0.5 * (1.0 - dot(polarisation, polarisation));

@@ -12,7 +12,8 @@ struct Path {
     ObjectSet objects; // those it is in, a bit each
     int depth;        // interfaces met
     int mode;          // lib/crystal.glsl: the wave that it is in a crystal; kUnsplit elsewhere,
-    vec3 polarisation; // where E is along this vector, as long as the root of the degree
+    vec3 polarisation; // where E is along this vector, as long as the root of the degree. Of both waves together
+                       // Stokes' (s1, s2, s3) over s0, by the o-wave's E and the e-wave's
     float departs;    // how steeply it leaves the interface it starts on; 0: on none
     int status;
     int steps;        // so far: of the index field, pieces of straight way, looks for boundaries

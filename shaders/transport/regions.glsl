@@ -101,13 +101,27 @@ float indexOf(int region, vec3 x) {
 }
 
 bool isCrystal(int region) {
-    return kCrystals && scene.regions[region].axis.w > 0.0;
+    return kCrystals && kObjects > 0 && scene.regions[region].axis.w > 0.0;
 }
 
 Uniaxial uniaxialOf(int region) {
     vec4 axis = scene.regions[region].axis;
     return Uniaxial(dispersed(scene.regions[region].index.x, scene.regions[region].index.w),
                     dispersed(axis.w, scene.regions[region].extraordinary.w), axis.xyz);
+}
+
+// Whether both waves of a crystal go as one, along the o-wave's way: they part by less than 0.01 rad.
+bool goesTogether(int region) {
+    const float kWeak = 0.01;
+    RegionParams here = scene.regions[region];
+    return transport.tolerance.z > 0.0 && abs(here.axis.w - here.index.x) <= kWeak &&
+           here.extraordinary.xyz == here.absorption.xyz;
+}
+
+// The phase that the o-wave gains on the e-wave along a straight way.
+float phaseAlong(int region, vec3 direction, float extent) {
+    float c = dot(direction, scene.regions[region].axis.xyz);
+    return transport.tolerance.z * extent * indexDifference(uniaxialOf(region), c) / wavelength();
 }
 
 // Where light of wave vector w goes in a region of index n, of length 1.

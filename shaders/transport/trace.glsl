@@ -77,6 +77,11 @@ Hit propagateStraight(inout Path path, inout Load load, int region) {
         hit.object = -1;
     }
     path.departs = 0.0;
+    if (isCrystal(region) && path.mode == kTogether) {
+        float phase = phaseAlong(region, direction, length(path.ray.x - start));
+        vec2 turn = vec2(cos(phase), sin(phase));
+        path.polarisation.yz = complexProduct(path.polarisation.yz, turn);
+    }
     if (kMeasures) {
         double extent = length(dvec3(path.ray.x) - dvec3(start));
         double index = double(n);

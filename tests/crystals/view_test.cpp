@@ -86,9 +86,11 @@ TEST(CrystalView, ARhombShiftsWhatIsUnderItAsMaxwellSays) {
         for (const dvec3& along : {dvec3(0, -1, 0), dvec3(0.3, -1, 0.2)}) {
             const dvec3 on(24.3, 32, 23.9);
             const judge::Ray ray{on - 6.0 * along, glm::normalize(along)};
-            const Look look(scene::Files(volume), sharp::sharply(sharp::oneRay(ray)));
+            Params params = sharp::sharply(sharp::oneRay(ray));
+            params.cutoff = 1e-6;
+            const Look look(scene::Files(volume), params);
             const double expected = Slab{{kO, kE, axis}}.lookAlong(ray);
-            // What the cut-off leaves out, and a spline's rounding of planes.
+            // A spline's rounding of planes.
             EXPECT_NEAR(look.at("R") / expected, 1, 2e-4);
         }
     }
@@ -129,11 +131,11 @@ TEST(CrystalView, ABallIsAsMaxwellSays) {
             const dvec3 aside = glm::normalize(glm::cross(d, dvec3(0.4, 1, 0.1)));
             const judge::Ray ray{centre + impact * radius * aside - 60.0 * d, d};
             Params params = sharp::sharply(sharp::oneRay(ray));
-            params.maxDepth = 6;
+            params.cutoff = 1e-6;
             const Look look(scene::Files(volume), params, map);
             double expected = 0;
             for (const judge::LeftBall& left :
-                 judge::throughBall({o, e, axis}, centre, radius, ray.x, d, 8))
+                 judge::throughBall({o, e, axis}, centre, radius, ray.x, d, 10))
                 expected += left.power * shines(left.direction);
             EXPECT_NEAR(look.at("R"), expected, 3e-3) << impact;
         }
@@ -156,6 +158,7 @@ TEST(CrystalView, PleochroismByPaper) {
                              crystalOf(e, {1, 0, 0}, sigmaE), sigmaO}});
     Params params = sharp::sharply(sharp::oneRay({{24, 38, 24}, {0, -1, 0}}));
     params.background = dvec3(1);
+    params.cutoff = 1e-6;
     const auto plate = [](double n, double sigma) {
         const double R = std::pow((n - 1) / (n + 1), 2), a = std::exp(-20 * sigma);
         const double through = (1 - R) * (1 - R) * a / (1 - R * R * a * a);
@@ -163,6 +166,77 @@ TEST(CrystalView, PleochroismByPaper) {
     };
     EXPECT_NEAR(Look(scene::Files(volume), params).at("R"),
                 0.5 * (plate(o, sigmaO) + plate(e, sigmaE)), 1e-4);
+}
+
+TEST(CrystalView, PolarisersFollowMalus) {
+    Params params = sharp::sharply(parallel({24, 100, 24}, {24, 0, 24}, 4, {1, 1}, {0, 0, 1}));
+    params.background = dvec3(1);
+    params.cutoff = 1e-6;
+    params.polarizer = 10;
+    // Beside everything: one leaves half, two what Malus says.
+    const volume::Volume ball = crystalVolume(
+        ivec3(48, 40, 48), {{"ball", [](dvec3 p) { return glm::length(p - dvec3(8)) - 4; }, 1.5}});
+    EXPECT_NEAR(Look(scene::Files(ball), params).at("R"), 0.5, 1e-6);
+    for (const double angle : {10.0, 40.0, 100.0, 190.0}) {
+        params.backPolarizer = angle;
+        const double c = std::cos((angle - 10) * kPi / 180);
+        EXPECT_NEAR(Look(scene::Files(ball), params).at("R"), 0.5 * c * c, 1e-6) << angle;
+    }
+    // A plate between crossed ones, the phase of its modes not kept: dark where they lie along the
+    // polarisers, else half of what parallel ones would leave of each mode.
+    const auto plate = [](const dvec3& axis) {
+        return crystalVolume(ivec3(48, 40, 48),
+                             {{"box", [](dvec3 p) { return boxDistance(p, kLow, kHigh); }, kO,
+                               crystalOf(kE, axis)}});
+    };
+    params.polarizer = 0;
+    params.backPolarizer = 90;
+    const auto through =
+        [](double n) { // what is reflected goes up, where the background is, crossed too
+            const double R = std::pow((n - 1) / (n + 1), 2);
+            return (1 - R) * (1 - R) / (1 - R * R);
+        };
+    EXPECT_NEAR(Look(scene::Files(plate({1, 0, 0})), params).at("R"), 0, 1e-5);
+    const double found = Look(scene::Files(plate({1, 0, 1})), params).at("R");
+    const double sent = 0.25 * 0.5 * (through(kO) + through(kE));
+    // Reflected light of both modes at once comes back at 0° but for the difference of their r.
+    EXPECT_GT(found, sent);
+    const auto turnedBack = [](double n) { return (n - 1) / (n + 1); };
+    const double first = 0.5 * 0.25 * std::pow(turnedBack(kO) - turnedBack(kE), 2);
+    const auto later = [&](double n) { // from within, mode by mode
+        const double R = turnedBack(n) * turnedBack(n);
+        return (1 - R) * (1 - R) * R / (1 - R * R);
+    };
+    EXPECT_NEAR(found, sent + first + 0.25 * 0.5 * (later(kO) + later(kE)), 2e-4);
+}
+
+TEST(CrystalView, AThinPlateInterferes) {
+    // Between crossed polarisers at 45°: sin²(δ/2) of half the light, and what was reflected inside
+    // once and twice by two and three times the way. 20 voxels of 2 µm, n_e − n_o = 0.005, at 587.6
+    // nm.
+    const double n = 1.5, off = 0.005;
+    const volume::Volume plate = crystalVolume(
+        ivec3(48, 40, 48), {{"box", [](dvec3 p) { return boxDistance(p, kLow, kHigh); }, n,
+                             crystalOf(n + off, {1, 0, 1})}});
+    Params params = sharp::sharply(parallel({24, 100, 24}, {24, 0, 24}, 4, {1, 1}, {0, 0, 1}));
+    params.background = dvec3(1);
+    params.cutoff = 1e-6;
+    params.polarizer = 0;
+    params.backPolarizer = 90;
+    params.wavelengths.count = 1;
+    for (const double unit : {1e-6, 2e-6, 3.3e-6, 1e-5}) {
+        params.unit = unit;
+        const double delta = 2 * kPi * off * 20 * unit / 587.6e-9;
+        const double R = std::pow((n - 1) / (n + 1), 2), T2 = (1 - R) * (1 - R);
+        const auto pass = [&](int ways) { return 0.5 * std::pow(std::sin(0.5 * ways * delta), 2); };
+        const double expected = T2 * (pass(1) + R * pass(2) + R * R * pass(3));
+        // n_e's own R is 3 % of R more.
+        EXPECT_NEAR(Look(scene::Files(plate), params).at("G"), expected, 1e-3) << unit;
+    }
+    // Parallel ones see what those do not; without a unit the mean over all phases is seen.
+    params.unit = 0;
+    const double mean = Look(scene::Files(plate), params).at("G");
+    EXPECT_NEAR(mean, 0.25 * (1 - 0.04), 5e-3);
 }
 
 TEST(CrystalView, WhatIsNotTracedIsRefused) {

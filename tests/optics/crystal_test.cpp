@@ -321,8 +321,8 @@ TEST(Crystal, PolarisationIsKeptAsAVector) {
         EXPECT_NEAR(glm::dot(back, back), degree, 1e-7);
     }
     // Light polarised at 45° between two equal waves: Malus' law for what each takes.
-    const vec3 sent = sentOn(stateOf(vec2(std::sqrt(0.5), std::sqrt(0.5))), vec4(0.8, 0, 0.6, 0),
-                             vec4(-0.6, 0, 0.8, 0));
+    const vec4 sent = sentOn(vec4(stateOf(vec2(std::sqrt(0.5), std::sqrt(0.5))), 0),
+                             vec4(0.8, 0, 0.6, 0), vec4(-0.6, 0, 0.8, 0));
     EXPECT_NEAR(sent.x, 0.02, 1e-15); // (0.2)²/2
     EXPECT_NEAR(sent.y, 0.98, 1e-15);
 }
