@@ -8,7 +8,7 @@ BUILD  ?= build
 OUT    ?= out
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
-TOOLS  := mesh2vol sim2vol volsmooth lightsim render
+TOOLS  := meshgen mesh2vol sim2vol volpaint volsmooth lightsim render
 
 .PHONY: all packages configure demo animation test test-all bench accuracy scale effects \
         instructions fuzz docs golden format install bundle clean

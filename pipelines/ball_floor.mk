@@ -7,7 +7,6 @@ SHELL := /bin/bash
 OUT   ?= out
 LIGHT ?= directional:-0.3,-1,-0.2:3
 SIZE  ?= 800x600
-HERE  := pipelines
 default: picture
 .PHONY: default
 
@@ -20,8 +19,8 @@ VIEW_OPTIONS   ?= --eye 0,0.9,2.6 --target 0,-0.15,0 --fov 40 --size $(SIZE) --s
   --background 0.25,0.3,0.36
 include pipelines/chain.mk
 
-$(OUT)/ball_floor/ball.obj: $(HERE)/povray/ball.awk | $(WORK)
-	awk -f $< >$@
+$(OUT)/ball_floor/ball.obj: | $(WORK)
+	$(BIN)/meshgen sphere --radius 0.5 --segments 512 -o $@
 
-$(OUT)/ball_floor/floor.obj: $(HERE)/caustic/floor.awk | $(WORK)
-	awk -v x0=-1.5 -v y0=-0.85 -v z0=-1.5 -v x1=1.5 -v y1=-0.75 -v z1=1.5 -f $< >$@
+$(OUT)/ball_floor/floor.obj: | $(WORK)
+	$(BIN)/meshgen box --from=-1.5,-0.85,-1.5 --to=1.5,-0.75,1.5 -o $@

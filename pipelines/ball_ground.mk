@@ -24,8 +24,8 @@ VIEW_OPTIONS   ?= --eye 0.4,0.45,2.3 --target 0,-0.12,0 --fov 38 --size $(SIZE) 
   --background 0.3,0.4,0.55
 include pipelines/chain.mk
 
-$(MESHES): $(HERE)/povray/ball.awk | $(WORK)
-	awk -f $< >$@
+$(MESHES): | $(WORK)
+	$(BIN)/meshgen sphere --radius 0.5 --segments 512 -o $@
 
 # The scene as it is by default, by POV-Ray with photons.
 $(WORK)/povray.exr: $(HERE)/povray/ball_ground.pov | $(WORK)

@@ -9,7 +9,7 @@ rm -rf "$folder"
 mkdir -p "$folder/bin" "$folder/lib/eikonal" "$folder/libexec"
 cp "$build/lib/eikonal/libeikonal_oiio.so" "$folder/lib/eikonal/"
 programs=()
-for program in mesh2vol sim2vol volsmooth lightsim render; do
+for program in meshgen mesh2vol sim2vol volpaint volsmooth lightsim render; do
     cp "$build/bin/$program" "$folder/libexec/"
     programs+=("$folder/libexec/$program")
     cat >"$folder/bin/$program" <<'RUN'

@@ -35,22 +35,22 @@ $(BUILD)/tests/caustic: FORCE
 $(WORK):
 	@mkdir -p $@
 
-$(WORK)/ball.obj: pipelines/povray/ball.awk | $(WORK)
-	awk -v around=192 -v down=96 -f $< >$@
+$(WORK)/ball.obj: | $(WORK)
+	$(BIN)/meshgen sphere --radius 0.5 --segments 192 -o $@
 
 # It reaches beyond the domain, whose faces cut it at 3.
-$(WORK)/ball_floor.obj: $(HERE)/floor.awk | $(WORK)
-	awk -v x0=-3.5 -v y0=-1 -v z0=-3.5 -v x1=3.5 -v y1=-0.75 -v z1=3.5 -f $< >$@
+$(WORK)/ball_floor.obj: | $(WORK)
+	$(BIN)/meshgen box --from=-3.5,-1,-3.5 --to=3.5,-0.75,3.5 -o $@
 
 # Its sides are so far off that what goes through them does not come to what is seen.
-$(WORK)/water.obj: $(HERE)/water.awk | $(WORK)
-	awk -v half=2 -v bottom=-0.42 -v n=128 -f $< >$@
+$(WORK)/water.obj: | $(WORK)
+	$(BIN)/meshgen wave --half 2 --bottom=-0.42 --squares 128 -o $@
 
-$(WORK)/water_floor.obj: $(HERE)/floor.awk | $(WORK)
-	awk -v x0=-2.1 -v y0=-0.5 -v z0=-2.1 -v x1=2.1 -v y1=-0.4 -v z1=2.1 -f $< >$@
+$(WORK)/water_floor.obj: | $(WORK)
+	$(BIN)/meshgen box --from=-2.1,-0.5,-2.1 --to=2.1,-0.4,2.1 -o $@
 
-$(WORK)/box.obj: $(HERE)/floor.awk | $(WORK)
-	awk -v x0=-0.5 -v y0=0.2 -v z0=-0.3 -v x1=-0.1 -v y1=0.3 -v z1=0.1 -f $< >$@
+$(WORK)/box.obj: | $(WORK)
+	$(BIN)/meshgen box --from=-0.5,0.2,-0.3 --to=-0.1,0.3,0.1 -o $@
 
 $(WORK)/ball_exact.exr: | $(BUILD)/tests/caustic $(WORK)
 	$(BUILD)/tests/caustic exact ball -o $@ $(BALL_VIEW) --irradiance 3

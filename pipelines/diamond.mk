@@ -3,7 +3,7 @@
 #
 #   make -f pipelines/diamond.mk                        out/diamond.png
 #   make -f pipelines/diamond.mk MATERIAL=zircon        another stone; what docs/materials.md has a name for
-#   make -f pipelines/diamond.mk CUT='-v crown=30'      another cut: see brilliant.awk
+#   make -f pipelines/diamond.mk CUT='--crown 30'       another cut: see meshgen brilliant --help
 SHELL := /bin/bash -o pipefail
 .DELETE_ON_ERROR:
 BIN        ?= build/bin
@@ -18,9 +18,9 @@ VIEW       := --eye 0.3,2.6,3.2 --target 0,0.5,0 --fov 34 --max-depth 24 --expos
 default: $(OUT)/diamond.png
 .PHONY: default
 
-$(WORK)/stone.obj: pipelines/brilliant.awk
+$(WORK)/stone.obj:
 	@mkdir -p $(@D)
-	awk $(CUT) -f $< >$@
+	$(BIN)/meshgen brilliant $(CUT) -o $@
 
 # Lamps where a golden spiral puts them above the horizon, and a window.
 $(WORK)/lamps.exr: pipelines/diamond.mk

@@ -61,8 +61,8 @@ $(OUT)/image_space.png: $(SHOWN)
 	oiiotool $(SHOWN) --mosaic 5x$(words $(MESHES_SHOWN) $(MESHES_SHOWN)) --colorconvert linear sRGB -d uint8 -o $@
 
 # A ball before a board, by layers and by rays.
-$(WORK)/ball.obj: $(HERE)/povray/ball.awk | $(WORK)
-	awk -f $< >$@
+$(WORK)/ball.obj: | $(WORK)
+	$(BIN)/meshgen sphere --radius 0.5 --segments 512 -o $@
 $(WORK)/board.obj: $(HERE)/image_space.mk | $(WORK)
 	awk 'BEGIN { for (j = 0; j < 6; ++j) for (i = 0; i < 6; ++i) { if ((i + j) % 2) continue; \
 	  for (k = 0; k < 4; ++k) print "v", (i + (k == 1 || k == 2)) * 0.4 - 1.2, (j + (k > 1)) * 0.4 - 1.2, -1.2; \

@@ -12,7 +12,7 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         command -v "$command" >/dev/null || missing+=("$command")
     done
     for header in openvdb/openvdb.h OpenEXR/ImfHeader.h OpenImageIO/imageio.h CGAL/version.h \
-                  EGL/egl.h epoxy/gl.h glm/glm.hpp CLI/CLI.hpp nlohmann/json.hpp gtest/gtest.h; do
+                  EGL/egl.h epoxy/gl.h glm/glm.hpp freetype2/ft2build.h CLI/CLI.hpp nlohmann/json.hpp gtest/gtest.h; do
         found=no
         for folder in ${CPATH//:/ } /usr/include /usr/local/include; do
             [ -e "$folder/$header" ] && found=yes

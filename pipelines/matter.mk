@@ -5,7 +5,7 @@ BIN     ?= build/bin
 OUT     ?= out
 SAMPLES ?= 16
 DIR     := $(OUT)/matter
-SHAPE   := awk -f pipelines/matter/shape.awk
+MESHGEN := $(BIN)/meshgen
 SUN     := --light directional:0.5,-1,-0.35:3
 .DELETE_ON_ERROR:
 .PHONY: all
@@ -18,9 +18,9 @@ $(DIR)/env.exr: | $(DIR)
 
 # ---- frosted glass: GGX's alpha 0, 0.1, 0.3
 $(DIR)/table.obj: | $(DIR)
-	$(SHAPE) -v shape=box -v place=0,-0.1,0 -v size=5.2,0.2,2.4 >$@
+	$(MESHGEN) box --from=-2.6,-0.2,-1.2 --to=2.6,0,1.2 -o $@
 $(DIR)/ball%.obj: | $(DIR)
-	$(SHAPE) -v shape=ball -v place=$$((17 * ($* - 2)))e-1,0.61,0 -v size=0.6 >$@
+	$(MESHGEN) sphere --radius 0.6 --segments 96 --place $$((17 * ($* - 2)))e-1,0.61,0 -o $@
 $(DIR)/rough.vdb: $(DIR)/table.obj $(DIR)/ball1.obj $(DIR)/ball2.obj $(DIR)/ball3.obj
 	$(BIN)/mesh2vol $^ -o $@ --resolution 256 --ior 1 --ior 1.5 --ior 1.5 --ior 1.5 --roughness 0 --roughness 0 \
 	  --roughness 0.1 --roughness 0.3 --opacity 1 --opacity 0 --opacity 0 --opacity 0 \
@@ -32,9 +32,9 @@ $(DIR)/rough.exr: $(DIR)/rough.vdb $(DIR)/env.exr
 
 # ---- a ring of gold, whose inside makes a caustic with a cusp
 $(DIR)/board.obj: | $(DIR)
-	$(SHAPE) -v shape=box -v place=0,-0.1,0 -v size=3.4,0.2,3.0 >$@
+	$(MESHGEN) box --from=-1.7,-0.2,-1.5 --to=1.7,0,1.5 -o $@
 $(DIR)/ring.obj: | $(DIR)
-	$(SHAPE) -v shape=ring -v place=0,0,0 -v size=0.9,0.14,0.42 >$@
+	printf '%s\n' 0.9,0 1.04,0 1.04,0.42 0.9,0.42 0.9,0 | $(MESHGEN) revolve - -o $@
 $(DIR)/ring.vdb: $(DIR)/board.obj $(DIR)/ring.obj
 	$(BIN)/mesh2vol $^ -o $@ --resolution 288 --metal none --metal gold --ior 1 --ior none --opacity 1 --albedo 0.7
 $(DIR)/ring.exr: $(DIR)/ring.vdb $(DIR)/env.exr
@@ -45,11 +45,11 @@ $(DIR)/ring.exr: $(DIR)/ring.vdb $(DIR)/env.exr
 # ---- four stands, each a volume of its own, side by side
 THINGS := glass gold frosted lacquer
 $(DIR)/tile.obj: | $(DIR)
-	$(SHAPE) -v shape=box -v place=0,-0.05,0 -v size=1.5,0.1,1.5 >$@
+	$(MESHGEN) box --from=-0.75,-0.1,-0.75 --to=0.75,0,0.75 -o $@
 $(DIR)/stand.obj: | $(DIR)
-	$(SHAPE) -v shape=box -v place=0,0.25,0 -v size=0.55,0.5,0.55 >$@
+	$(MESHGEN) box --from=-0.275,0,-0.275 --to=0.275,0.5,0.275 -o $@
 $(DIR)/thing.obj: | $(DIR)
-	$(SHAPE) -v shape=ball -v place=0,0.83,0 -v size=0.32 >$@
+	$(MESHGEN) sphere --radius 0.32 --segments 96 --place 0,0.83,0 -o $@
 MADE = $(BIN)/mesh2vol $(DIR)/tile.obj $(DIR)/stand.obj $(1) -o $@ --resolution 160 --ior 1 --ior 1 \
        --opacity 1 --opacity 1 --albedo 0.55,0.5,0.45 --albedo 0.75
 PARTS := $(DIR)/tile.obj $(DIR)/stand.obj $(DIR)/thing.obj

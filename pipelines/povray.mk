@@ -17,9 +17,9 @@ SIZE := 512
 compare: $(WORK)/both.png
 	@idiff -a $(WORK)/eikonal.exr $(WORK)/povray.exr | grep error ; true
 
-$(WORK)/ball.obj: $(HERE)/ball.awk
+$(WORK)/ball.obj: $(BIN)/meshgen
 	@mkdir -p $(@D)
-	awk -f $< >$@
+	$< sphere --radius 0.5 --segments 512 -o $@
 
 # Checks, so that every bend shows, and three lamps, so that mirror reflections do.
 $(WORK)/environment.exr: pipelines/povray.mk

@@ -32,14 +32,18 @@ default: $(OUT)/rainbow.png
 .PHONY: default lines bands
 .SECONDARY:
 
-$(WORK)/prism.obj $(WORK)/stage.obj: $(WORK)/%.obj: $(HERE)/stage.awk
+$(WORK)/prism.obj:
 	@mkdir -p $(@D)
-	awk -v part=$* -f $< >$@
+	$(BIN)/meshgen prism --side 0.7 --length 0.68 -o $@
+
+$(WORK)/stage.obj: $(HERE)/stage.awk
+	@mkdir -p $(@D)
+	awk -f $< >$@
 
 # Round the way of the light before the slit.
-$(WORK)/proxy.obj: pipelines/caustic/floor.awk
+$(WORK)/proxy.obj:
 	@mkdir -p $(@D)
-	awk -v x0=-1.29 -v y0=-0.62 -v z0=-0.24 -v x1=-1.25 -v y1=-0.42 -v z1=0.24 -f $< >$@
+	$(BIN)/meshgen box --from=-1.29,-0.62,-0.24 --to=-1.25,-0.42,0.24 -o $@
 
 # Dark, but for what the prism mirrors from behind the viewer.
 $(WORK)/environment.exr: pipelines/rainbow.mk

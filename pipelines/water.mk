@@ -7,7 +7,6 @@ SHELL := /bin/bash
 OUT   ?= out
 LIGHT ?= directional:-0.25,-1,0.15:3
 SIZE  ?= 800x600
-HERE  := pipelines/caustic
 default: picture
 .PHONY: default
 
@@ -22,9 +21,9 @@ VIEW_OPTIONS   ?= --eye 0.4,1.5,2.3 --target 0,-0.3,0 --fov 19 --size $(SIZE) --
   --background 0.5,0.6,0.7
 include pipelines/chain.mk
 
-$(OUT)/water/water.obj: $(HERE)/water.awk | $(WORK)
-	awk -f $< >$@
+$(OUT)/water/water.obj: | $(WORK)
+	$(BIN)/meshgen wave -o $@
 
 # The water fills the domain below its surface; where the floor is, the later object, it gives way.
-$(OUT)/water/floor.obj: $(HERE)/floor.awk | $(WORK)
-	awk -v x0=-1.2 -v y0=-0.5 -v z0=-1.2 -v x1=1.2 -v y1=-0.38 -v z1=1.2 -f $< >$@
+$(OUT)/water/floor.obj: | $(WORK)
+	$(BIN)/meshgen box --from=-1.2,-0.5,-1.2 --to=1.2,-0.38,1.2 -o $@

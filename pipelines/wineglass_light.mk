@@ -27,9 +27,9 @@ $(WORK)/profile.txt: $(HERE)/profile.awk
 $(WORK)/glass.obj: $(HERE)/mesh.awk $(WORK)/profile.txt
 	awk -v around=256 -f $^ >$@
 
-$(WORK)/table.obj: pipelines/caustic/floor.awk
+$(WORK)/table.obj:
 	@mkdir -p $(@D)
-	awk -v x0=-90 -v y0=-6 -v z0=-50 -v x1=90 -v y1=-0.5 -v z1=130 -f $< >$@
+	$(BIN)/meshgen box --from=-90,-6,-50 --to=90,-0.5,130 -o $@
 
 # Blurred: the glass's walls of 1 mm are about a voxel.
 $(WORK)/volume.vdb: $(WORK)/glass.obj $(WORK)/table.obj

@@ -22,13 +22,21 @@ struct Label {
     bool isObject; ///< an `o` of OBJ rather than a `g`
 };
 
+/// From a polygon on, what they are made of: `usemtl` of OBJ.
+struct MaterialLabel {
+    std::string name;
+    size_t firstPolygon;
+};
+
 /// Polygons as a file lists them; indices are not yet checked.
 struct PolygonSoup {
     std::vector<glm::dvec3> points;
-    std::vector<std::int64_t> corners; ///< of all polygons, one after the other
-    std::vector<size_t> ends;          ///< for each polygon, where its corners end in `corners`
-    std::vector<Label> labels;         ///< in the order of their first polygons
-    std::vector<glm::vec3> normals;    ///< as the file has them; what it has in a bad form is 0
+    std::vector<std::int64_t> corners;    ///< of all polygons, one after the other
+    std::vector<size_t> ends;             ///< for each polygon, where its corners end in `corners`
+    std::vector<Label> labels;            ///< in the order of their first polygons
+    std::vector<MaterialLabel> materials; ///< the same
+    std::vector<std::string> libraries;   ///< files of those materials: `mtllib` of OBJ
+    std::vector<glm::vec3> normals;       ///< as the file has them; what it has in a bad form is 0
     std::vector<std::int64_t> looks; ///< of each corner its normal, or none if there is none such;
                                      ///< empty if no corner has one
 

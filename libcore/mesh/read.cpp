@@ -13,6 +13,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace eikonal::mesh {
 
@@ -129,17 +130,25 @@ struct Labelled {
     Names names;
 };
 
-Labelled toTriangles(const std::string& title, PolygonSoup soup) {
+/// Triangles labelled by their objects' names, or by those and their materials', a line feed
+/// between.
+Labelled toTriangles(const std::string& title, PolygonSoup soup, bool byMaterial) {
     const bool hasObjects = std::any_of(soup.labels.begin(), soup.labels.end(),
                                         [](const Label& label) { return label.isObject; });
     std::erase_if(soup.labels, [&](const Label& label) { return label.isObject != hasObjects; });
+    if (!byMaterial) soup.materials.clear();
     Labelled result;
-    std::string name;
-    for (size_t face = 0, next = 0; face < soup.ends.size(); ++face) {
+    std::string name, material;
+    for (size_t face = 0, next = 0, nextMaterial = 0; face < soup.ends.size(); ++face) {
         for (; next < soup.labels.size() && soup.labels[next].firstPolygon <= face; ++next)
             name = soup.labels[next].name;
+        for (; nextMaterial < soup.materials.size() &&
+               soup.materials[nextMaterial].firstPolygon <= face;
+             ++nextMaterial)
+            material = soup.materials[nextMaterial].name;
         addFace(title, soup, face, result.mesh);
-        result.labels.resize(result.mesh.triangles.size(), result.names.numberOf(name));
+        const std::string label = byMaterial ? name + "\n" + material : name;
+        result.labels.resize(result.mesh.triangles.size(), result.names.numberOf(label));
     }
     if (result.mesh.triangles.empty())
         throw DataError(title + ": found " + std::to_string(soup.points.size()) +
@@ -149,11 +158,6 @@ Labelled toTriangles(const std::string& title, PolygonSoup soup) {
     return result;
 }
 
-Labelled readLabelled(const std::string& path) {
-    const std::string bytes = readWhole(path);
-    return toTriangles(meshTitle(path), parse(path, bytes));
-}
-
 } // namespace
 
 std::string meshTitle(const std::string& path) {
@@ -161,11 +165,16 @@ std::string meshTitle(const std::string& path) {
 }
 
 TriangleMesh readMesh(const std::string& path) {
-    return readLabelled(path).mesh;
+    const std::string bytes = readWhole(path);
+    return toTriangles(meshTitle(path), parse(path, bytes), false).mesh;
 }
 
 std::vector<Part> readParts(const std::string& path) {
-    Labelled read = readLabelled(path);
+    return readParts(path, readWhole(path));
+}
+
+std::vector<Part> readParts(const std::string& path, std::string_view bytes) {
+    Labelled read = toTriangles(meshTitle(path), parse(path, bytes), false);
     const std::vector<std::string>& names = read.names.all();
     std::vector<std::uint32_t> objects(names.size(), 0);
     if (names.size() > 1) objects = objectsOf(read.mesh, read.labels, names.size());
@@ -178,6 +187,27 @@ std::vector<Part> readParts(const std::string& path) {
                  std::move(meshes[i])});
     if (parts.size() == 1) parts.front() = {"", std::move(read.mesh)};
     return parts;
+}
+
+std::vector<Part> readPieces(const std::string& path, std::string_view bytes) {
+    const Labelled read = toTriangles(meshTitle(path), parse(path, bytes), true);
+    const std::vector<std::string>& names = read.names.all();
+    std::vector<std::uint32_t> each(names.size());
+    std::iota(each.begin(), each.end(), 0u);
+    std::vector<TriangleMesh> meshes = split(read.mesh, read.labels, each);
+    std::vector<Part> pieces;
+    for (size_t i = 0; i < names.size(); ++i) {
+        const size_t end = names[i].find('\n');
+        pieces.push_back({names[i].substr(0, end), std::move(meshes[i]), names[i].substr(end + 1)});
+    }
+    return pieces;
+}
+
+std::vector<std::string> materialLibraries(const std::string& path, std::string_view bytes) {
+    if (bytes.find("mtllib") == std::string_view::npos || bytes.empty() ||
+        chooseFormat(path, bytes) != Format::obj)
+        return {};
+    return parse(path, bytes).libraries;
 }
 
 } // namespace eikonal::mesh

@@ -5,6 +5,7 @@
 #include "mesh/triangle_mesh.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace eikonal::mesh {
@@ -24,6 +25,7 @@ TriangleMesh readMesh(const std::string& path);
 struct Part {
     std::string name; ///< as the file has it; empty where the file is one object
     TriangleMesh mesh;
+    std::string material{}; ///< what readPieces() finds it to be made of
 };
 
 /// The same, apart where the file names objects: those of OBJ's lines `o`, or `g` where there is
@@ -31,6 +33,16 @@ struct Part {
 /// open edge in common, and a closed part that looks inward with the one around it, whose cavity
 /// it is.
 std::vector<Part> readParts(const std::string& path);
+/// The same of a file that was read.
+std::vector<Part> readParts(const std::string& path, std::string_view bytes);
+
+/// Of an OBJ file that was read: what has the same object and the same material (`usemtl`), each
+/// apart, whether it is closed alone or not.
+std::vector<Part> readPieces(const std::string& path, std::string_view bytes);
+
+/// The files that an OBJ file has its materials from, as it names them (`mtllib`); of other files
+/// none.
+std::vector<std::string> materialLibraries(const std::string& path, std::string_view bytes);
 
 /// "standard input" or the path, as messages have it.
 std::string meshTitle(const std::string& path);

@@ -1,6 +1,6 @@
-// Wavefront OBJ: the lines `v`, `vn`, `f`, `o` and `g`; all others are about looks and curves. Nor
-// is `s` read, the smoothing of faces without normals: many write `s off` whatever they mean.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Wavefront OBJ: the lines `v`, `vn`, `f`, `o`, `g`, `usemtl` and `mtllib`; all others are about
+// looks and curves. Nor is `s` read, the smoothing of faces without normals: many write `s off`
+// whatever they mean. SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/formats.h"
 
 #include "base/text.h"
@@ -79,6 +79,10 @@ PolygonSoup parseObj(const std::string& path, std::string_view bytes) {
             soup.normals.push_back(normalOn(words));
         } else if (words[0] == "o" || words[0] == "g") {
             soup.labels.push_back({nameBehind(words), soup.ends.size(), words[0] == "o"});
+        } else if (words[0] == "usemtl") {
+            soup.materials.push_back({nameBehind(words), soup.ends.size()});
+        } else if (words[0] == "mtllib") {
+            soup.libraries.push_back(nameBehind(words));
         }
     }
     if (soup.normals.empty()) soup.looks.clear();

@@ -77,6 +77,17 @@ double windingNumber(const TriangleMesh& mesh, const glm::dvec3& x) {
     return sum;
 }
 
+void setFlatNormals(TriangleMesh& mesh) {
+    mesh.normals.clear();
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a = mesh.points[t.x];
+        const glm::dvec3 across = glm::cross(mesh.points[t.y] - a, mesh.points[t.z] - a);
+        const double length = glm::length(across);
+        const glm::vec3 normal(length > 0 ? across / length : across);
+        mesh.normals.push_back({normal, normal, normal});
+    }
+}
+
 size_t dropUnusedPoints(TriangleMesh& mesh) {
     constexpr std::uint32_t kUnused = UINT32_MAX;
     std::vector<glm::dvec3>& points = mesh.points;

@@ -72,6 +72,9 @@ double windingNumber(const TriangleMesh& mesh, const glm::dvec3& x);
 double windingShare(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                     const glm::dvec3& x);
 
+/// Gives every triangle its own normal at its corners: no smoothing curves it.
+void setFlatNormals(TriangleMesh& mesh);
+
 /// Drops the points that no triangle uses, keeping the order. Gives the number that went.
 size_t dropUnusedPoints(TriangleMesh& mesh);
 

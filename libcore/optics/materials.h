@@ -40,6 +40,11 @@ std::vector<std::string> metalNames();
 /// Upper case is as lower, and aluminum is aluminium. Null where there is none of that name.
 const NamedMetal* findMetal(const std::string& name);
 
+/// A metal of that reflectance at normal incidence [1], 0 to 1, channel by channel: of the indices
+/// that have it (Gulbrandsen 2014, "Artist Friendly Metallic Fresnel", eq. 3 to 6) the one whose
+/// reflectance at other angles is nearest to Schlick's, in the mean weighted by the cosine.
+NamedMetal metalOfReflectance(const glm::dvec3& reflectance);
+
 /// Cauchy B [µm²] of an index n_d whose Abbe number (n_d − 1) / (n_F − n_C) is `abbe`; 0: none.
 double dispersionOf(double ior, double abbe);
 /// The other way round. Infinite where the index does not depend on the wavelength.

@@ -1,1 +1,1 @@
-eikonal_room(optics SOURCES air.cpp bands.cpp materials.cpp spectrum.cpp tracing.cpp)
+eikonal_room(optics SOURCES air.cpp bands.cpp materials.cpp metal_fit.cpp spectrum.cpp tracing.cpp)

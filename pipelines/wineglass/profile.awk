@@ -10,7 +10,8 @@ function line(x0, y0, x1, y1) { printf "line %.17g %.17g %.17g %.17g\n", x0, y0,
 function arc(x, y, r, from, to) { printf "arc %.17g %.17g %.17g %.17g %.17g\n", x, y, r, from, to }
 BEGIN {
     pi = atan2(0, -1); degree = pi / 180
-    height = 120; wall = 1; lip = wall / 2
+    if (!wall) wall = 1 # -v wall=2: another [mm]
+    height = 120; lip = wall / 2
     foot = 34; edge = 1; slope = 7 * degree         # the foot's radius, its rounded edge, its top
     stem = 4; below = 16; above = 14                # the stem's radius, and the fillets at its ends
     bottom = 36; belly = 34                         # the bowl's two radii, inside,

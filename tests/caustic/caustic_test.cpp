@@ -45,11 +45,8 @@ TEST(CausticErrors, AreTheFormulas) {
 }
 
 TEST_F(Caustic, OfABallIsSeenAsItShouldBe) {
-    const std::string parts = EIKONAL_SOURCE_DIR "/pipelines/";
-    command("awk -v around=96 -v down=48 -f " + parts +
-            "povray/ball.awk && mv stdout.txt ball.obj");
-    command("awk -v x0=-2 -v y0=-1 -v z0=-2 -v x1=2 -v y1=-0.75 -v z1=2 -f " + parts +
-            "caustic/floor.awk && mv stdout.txt floor.obj");
+    command("meshgen sphere --radius 0.5 --segments 96 -o ball.obj");
+    command("meshgen box --from=-2,-1,-2 --to=2,-0.75,2 -o floor.obj");
     command("mesh2vol ball.obj floor.obj -o v.vdb --ior 1.5 --ior 1 --opacity 0 --opacity 1 "
             "--albedo 0 --albedo 0.8 --resolution 64 --bounds=-1.5,-0.85,-1.5,1.5,0.6,1.5");
     command("lightsim v.vdb -o lit.vdb --light directional:-0.3,-1,-0.2:3 --surface-detail 4 "

@@ -1,4 +1,4 @@
-eikonal_test(test_optics SOURCES optics/library_test.cpp optics/materials_test.cpp
+eikonal_test(test_optics SOURCES optics/library_test.cpp optics/materials_test.cpp optics/metal_fit_test.cpp
              optics/microfacet_test.cpp optics/plane_light_test.cpp optics/ray_test.cpp
              optics/spectrum_test.cpp optics/crystal_test.cpp
              optics/crystal_float.cpp LIBRARIES judge)

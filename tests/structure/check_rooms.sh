@@ -54,6 +54,8 @@ Imath|image volume
 OpenImageIO/|image
 EGL/|gpu
 embree|raytrace
+ft2build|shapes
+tiny_gltf|scenefile
 epoxy/|gpu
 CLI/|none
 gtest/|none

@@ -28,14 +28,33 @@ size_t distance(const std::string& a, const std::string& b) {
     return row.back();
 }
 
+/// The tool's own options, and those of the subcommand that was given.
+std::vector<const CLI::Option*> optionsOf(const CLI::App& app) {
+    std::vector<const CLI::Option*> options = app.get_options();
+    for (const CLI::App* given : app.get_subcommands())
+        for (const CLI::Option* option : given->get_options()) options.push_back(option);
+    return options;
+}
+
 /// "" or " (did you mean --size?)", for a name without its dashes.
 std::string suggestion(const CLI::App& app, const std::string& unknown, const std::string& dashes) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options())
+    for (const CLI::Option* option : optionsOf(app))
         if (!option->get_group().empty()) // those without are left out of --help, too
             for (const std::string& name : option->get_lnames()) names.push_back(name);
     const std::string meant = likest(unknown, names);
     return meant.empty() ? "" : " (did you mean " + dashes + meant + "?)";
+}
+
+std::vector<const CLI::App*> subcommandsOf(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// Null where there is none of that name.
+const CLI::App* subcommandOf(const CLI::App& app, const std::string& name) {
+    for (const CLI::App* known : subcommandsOf(app))
+        if (known->get_name() == name) return known;
+    return nullptr;
 }
 
 bool isBare(const std::string& value) {
@@ -72,8 +91,11 @@ private:
 
     void checkItem(CLI::ConfigItem& item) const {
         if (item.name == "++" || item.name == "--") return; // a section begins, ends
+        const CLI::App* app = &mApp;                        // or the subcommand of a section
+        for (const std::string& name : item.parents)
+            if (app != nullptr) app = subcommandOf(*app, name);
         const CLI::Option* const option =
-            item.parents.empty() ? mApp.get_option_no_throw("--" + item.name) : nullptr;
+            app == nullptr ? nullptr : app->get_option_no_throw("--" + item.name);
         if (option == nullptr)
             throw UsageError(mApp.get_config_ptr()->as<std::string>() + ": no option '" +
                              item.fullname() + "'" + suggestion(mApp, item.name, ""));
@@ -95,14 +117,19 @@ std::string nameOf(const CLI::Option& option) {
                                        : "--" + option.get_lnames().front();
 }
 
-std::string missingOptions(const CLI::App& app,
-                           const std::vector<std::vector<std::string>>& alternatives) {
+std::string missingOptions(const CLI::App& app, const std::vector<Alternatives>& alternatives) {
     std::vector<std::string> missing;
-    for (const CLI::Option* option : app.get_options())
+    if (app.get_subcommands().size() < app.get_require_subcommand_min()) {
+        std::vector<std::string> names;
+        for (const CLI::App* known : subcommandsOf(app)) names.push_back(known->get_name());
+        missing.push_back("one of " + join(names, ", "));
+    }
+    for (const CLI::Option* option : optionsOf(app))
         if (option->get_required() && option->count() == 0) missing.push_back(nameOf(*option));
-    for (const std::vector<std::string>& group : alternatives)
+    for (const auto& [group, unless] : alternatives)
         if (std::none_of(group.begin(), group.end(),
-                         [&](const std::string& name) { return app.count(name) > 0; }))
+                         [&](const std::string& name) { return app.count(name) > 0; }) &&
+            !(unless && unless()))
             missing.push_back(join(group, " or "));
     return join(missing, ", ");
 }
@@ -110,7 +137,7 @@ std::string missingOptions(const CLI::App& app,
 /// What was given and no option has taken; "" if there is nothing.
 std::string unknownArguments(const CLI::App& app) {
     std::vector<std::string> options, others;
-    for (const std::string& argument : app.remaining()) {
+    for (const std::string& argument : app.remaining(true)) {
         const std::string name = argument.substr(0, argument.find('='));
         const size_t letters = name.find_first_not_of('-');
         if (letters == 0 || letters == std::string::npos)
@@ -142,7 +169,7 @@ void acceptPlainLists(CLI::App& app) {
 }
 
 bool parseCommandLine(CLI::App& app, int argc, char** argv,
-                      const std::vector<std::vector<std::string>>& alternatives) {
+                      const std::vector<Alternatives>& alternatives) {
     std::string wrong;
     try {
         app.parse(argc, argv);

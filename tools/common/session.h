@@ -7,6 +7,7 @@
 #include "base/history.h"
 #include "base/progress.h"
 #include "base/stats.h"
+#include "common/command_line.h"
 #include "common/progress_line.h"
 
 #include <CLI/CLI.hpp>
@@ -41,8 +42,12 @@ public:
     /// ends the process as SIGPIPE does.
     int run(int argc, char** argv, const std::function<void(Session&)>& work);
 
-    /// One of these options must be given: named with the others where several are missing.
-    void requireOneOf(const std::vector<std::string>& options) { mAlternatives.push_back(options); }
+    /// One of these options must be given, but where `unless` says yes after parsing: named with
+    /// the others where several are missing.
+    void requireOneOf(const std::vector<std::string>& options,
+                      const std::function<bool()>& unless = {}) {
+        mAlternatives.push_back({options, unless});
+    }
 
     /// Takes `oldName`, which --help leaves out, for `option`, and warns; `more` goes on with the
     /// warning. Throws UsageError where both are given.
@@ -98,7 +103,7 @@ private:
     CLI::App mApp;
     CLI::Option* mOutputOption = nullptr;
     CLI::Option* mConfigOption = nullptr;
-    std::vector<std::vector<std::string>> mAlternatives;
+    std::vector<Alternatives> mAlternatives;
     std::vector<std::string> mArguments;
     std::vector<std::string> mOutputPaths;
     std::string mStatsPath, mDeviceName = "auto", mProgressMode;

@@ -32,6 +32,7 @@ mesh::TriangleMesh readProxy(const std::string& path) {
 
 std::vector<std::string> inputsOf(const Options& o) {
     std::vector<std::string> inputs{o.input, o.proxy, o.points};
+    inputs.insert(inputs.end(), o.lightFiles.begin(), o.lightFiles.end());
     for (const lightsim::Light& light : o.params.lights)
         inputs.push_back(image::parsePictureName(light.file).path);
     return inputs;
@@ -234,5 +235,6 @@ int main(int argc, char** argv) {
                                       "writes fluence and direction per voxel.");
     Options o;
     options::add(session, o);
+    session.requireOneOf({"--light", "--lights"});
     return session.run(argc, argv, [&](tool::Session&) { simulate(session, o); });
 }

@@ -9,6 +9,7 @@
 #include "image/lat_long.h"
 #include "lightsim/params.h"
 #include "scene/surface_voxels.h"
+#include "scene_lights.h"
 
 #include <charconv>
 
@@ -21,7 +22,7 @@ struct Options {
                        samples = "auto", proxy, octree, points, fronts;
     double mapTurn = 0;
     bool mapZUp = false;
-    std::vector<std::string> lights;
+    std::vector<std::string> lights, lightFiles;
     volume::GridNames names;
     lightsim::Params params;
     std::optional<tool::TracingOptions> tracing;
@@ -33,19 +34,24 @@ inline void add(tool::Session& session, Options& o) {
     app.add_option("input", o.input, "scene volume; - is standard input")
         ->type_name("IN.vdb")
         ->required();
-    app.add_option("--light", o.lights,
-                   "a light, named NAME=SPEC if wanted; may be given again: "
-                   "directional:DX,DY,DZ[:R,G,B[:DEG]], the direction the light travels in, its "
-                   "irradiance [W/m²] and its disc's diameter (the sun's: 0.53); "
-                   "point:X,Y,Z[:R,G,B], its position and radiant intensity [W/sr]; "
-                   "spot:X,Y,Z:DX,DY,DZ:ANGLE[:SOFT][:R,G,B], a point that shines within ANGLE of "
-                   "its axis [degree], fading within ANGLE ± SOFT; "
-                   "rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], centre and two whole edges, radiance "
-                   "[W/(m² sr)] to the side of U x V; "
-                   "sphere:X,Y,Z:RADIUS[:R,G,B], radiance; "
-                   "environment:FILE[:LAYER], a lat-long map of radiance all round")
+    app.add_option(
+           "--light", o.lights,
+           "a light, named NAME=SPEC if wanted; may be given again, and must without --lights: "
+           "directional:DX,DY,DZ[:R,G,B[:DEG]], the direction the light travels in, its "
+           "irradiance [W/m²] and its disc's diameter (the sun's: 0.53); "
+           "point:X,Y,Z[:R,G,B], its position and radiant intensity [W/sr]; "
+           "spot:X,Y,Z:DX,DY,DZ:ANGLE[:SOFT][:R,G,B], a point that shines within ANGLE of "
+           "its axis [degree], fading within ANGLE ± SOFT; "
+           "rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], centre and two whole edges, radiance "
+           "[W/(m² sr)] to the side of U x V; "
+           "sphere:X,Y,Z:RADIUS[:R,G,B], radiance; "
+           "environment:FILE[:LAYER], a lat-long map of radiance all round")
         ->type_name("SPEC")
-        ->required()
+        ->allow_extra_args(false);
+    app.add_option("--lights", o.lightFiles,
+                   "the lights of a glTF scene (KHR_lights_punctual; a watt is 683 lumens), before "
+                   "those of --light; may be given again")
+        ->type_name("SCENE.glb")
         ->allow_extra_args(false);
     app.add_option("--light-samples", o.samples,
                    "points or directions that stand for a light with an extent; auto: of photons "
@@ -195,8 +201,12 @@ inline void parseLights(Options& o) {
     }
 }
 
-/// Makes parameters of what was given. Throws UsageError.
+/// Makes parameters of what was given. Throws UsageError, and as readers do of files of lights.
 inline void finish(tool::Session& session, Options& o) {
+    std::vector<std::string> specs;
+    for (const std::string& path : o.lightFiles)
+        for (const std::string& spec : scene_lights::read(session, path)) specs.push_back(spec);
+    o.lights.insert(o.lights.begin(), specs.begin(), specs.end());
     parseLights(o);
     o.params.method = lightsim::parseMethod(o.method);
     if (o.photons != "auto") o.params.photons = parsePhotons(o.photons);

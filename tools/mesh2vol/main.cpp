@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/session.h"
 #include "gpu/device.h"
+#include "mesh/check.h"
+#include "mesh/plate.h"
 #include "mesh/read.h"
 #include "mesh2vol/material_facts.h"
 #include "voxelize/accept.h"
@@ -15,6 +17,7 @@ using namespace eikonal;
 
 namespace {
 
+using mesh2vol::Piece;
 using Facts = std::vector<std::pair<std::string, std::string>>; ///< "name: text" for --explain
 
 struct Objects {
@@ -44,48 +47,104 @@ void accept(tool::Session& session, const std::string& title, bool repair,
     for (const std::string& warning : found.warnings) session.warn(title + ": " + warning);
 }
 
-/// Whether the objects of a file are one, as they are where they are many and no option tells them
-/// apart.
-bool areOne(const mesh2vol::Options& o, const std::vector<mesh::Part>& parts) {
-    return parts.size() > voxelize::kMostAlike && !mesh2vol::tellsObjectsApart(o);
+/// Where the pieces of a file are many and no option tells them apart, those of one material are
+/// one.
+void joinAlike(tool::Session& session, const mesh2vol::Options& o, const std::string& title,
+               std::vector<Piece>& pieces) {
+    if (pieces.size() <= voxelize::kMostAlike || mesh2vol::tellsObjectsApart(o)) return;
+    std::vector<Piece> joined;
+    for (Piece& piece : pieces) {
+        const auto same = std::find_if(joined.begin(), joined.end(), [&](const Piece& other) {
+            return other.material == piece.material;
+        });
+        if (same == joined.end()) {
+            if (piece.material) piece.name = piece.material->name;
+            joined.push_back(std::move(piece));
+        } else {
+            mesh::append(same->mesh, piece.mesh);
+        }
+    }
+    if (joined.size() == pieces.size()) return;
+    session.note(title + ": " + std::to_string(pieces.size()) + " objects, " +
+                 (joined.size() == 1 ? "all alike and more than " : "more than ") +
+                 std::to_string(voxelize::kMostAlike) + ", are taken as " +
+                 (joined.size() == 1 ? "one" : std::to_string(joined.size()) + ", one a material"));
+    if (joined.size() == 1) joined.front().name.clear();
+    pieces = std::move(joined);
 }
 
-void joinAlike(tool::Session& session, const std::string& title, std::vector<mesh::Part>& parts) {
-    session.note(title + ": " + std::to_string(parts.size()) +
-                 " objects, all alike and more than " + std::to_string(voxelize::kMostAlike) +
-                 ", are taken as one");
-    mesh::Part all;
-    for (const mesh::Part& part : parts) mesh::append(all.mesh, part.mesh);
-    parts.assign(1, std::move(all));
+/// Open pieces that their file calls opaque become plates behind their faces, thick enough for the
+/// voxels.
+void makePlates(tool::Session& session, const voxelize::Params& scene, const std::string& title,
+                double voxelSize, std::vector<Piece>& pieces) {
+    constexpr double kThickness = voxelize::kThinnestWall + 1; // [voxel]
+    std::vector<std::string> names;
+    for (Piece& piece : pieces) {
+        if (piece.isGlass() || scene.bounds) continue;
+        if (mesh::checkTopology(piece.mesh).boundaryEdges == 0) continue;
+        if (mesh::makePlate(piece.mesh, kThickness * voxelSize).empty())
+            names.push_back(piece.name.empty() ? title : "'" + piece.name + "'");
+    }
+    if (!names.empty())
+        session.warn(title + ": open and opaque, made plates of " + toText(kThickness) +
+                     " voxels behind their faces: " + join(names, ", "));
+}
+
+/// The edge of a voxel, before objects are checked.
+double voxelSizeOf(voxelize::Params scene, const std::vector<mesh2vol::ReadFile>& files) {
+    mesh::Box box;
+    for (const mesh2vol::ReadFile& file : files)
+        for (const Piece& piece : file.pieces) box.include(mesh::boundingBox(piece.mesh));
+    voxelize::Object all;
+    all.mesh = {{box.min, box.max}, {{0, 1, 1}}};
+    scene.objects.push_back(std::move(all));
+    return voxelize::voxelSizeOf(scene);
 }
 
 /// Reads and checks every object of every mesh.
 Objects readObjects(tool::Session& session, const mesh2vol::Options& o) {
-    std::vector<std::vector<mesh::Part>> files(o.meshes.size());
-    size_t count = 0;
-    for (size_t file = 0; file < files.size(); ++file) {
-        session.pass("read", [&] { files[file] = mesh::readParts(o.meshes[file]); });
-        count += areOne(o, files[file]) ? 1 : files[file].size();
-    }
+    std::vector<mesh2vol::ReadFile> files(o.meshes.size());
     const voxelize::Params scene = mesh2vol::sceneOf(o);
+    size_t count = 0;
+    for (size_t i = 0; i < files.size(); ++i) {
+        session.pass("read", [&] {
+            files[i] = mesh2vol::readFile(o.meshes[i], !mesh2vol::tellsAnyMatter(o));
+        });
+        for (const std::string& warning : files[i].warnings) session.warn(warning);
+        for (const std::string& note : files[i].notes) session.note(note);
+        count += files[i].pieces.size();
+    }
+    const bool opaque = std::any_of(files.begin(), files.end(), [](const auto& file) {
+        return std::any_of(file.pieces.begin(), file.pieces.end(),
+                           [](const Piece& piece) { return !piece.isGlass(); });
+    });
+    if (opaque && !o.repair) {
+        const double voxelSize = voxelSizeOf(scene, files);
+        for (size_t i = 0; i < files.size(); ++i)
+            makePlates(session, scene, mesh::meshTitle(o.meshes[i]), voxelSize, files[i].pieces);
+    }
     Objects objects;
     for (size_t file = 0; file < files.size(); ++file) {
-        std::vector<mesh::Part>& parts = files[file];
+        std::vector<Piece>& pieces = files[file].pieces;
         const std::string path = mesh::meshTitle(o.meshes[file]);
-        const bool one = areOne(o, parts);
-        for (size_t part = 0; part < parts.size(); ++part) {
-            const size_t object = objects.sources.size() + (one ? 0 : part);
-            const mesh2vol::ObjectValues values(o, {object, count, file, files.size()});
+        for (size_t k = 0; k < pieces.size(); ++k) {
+            const mesh2vol::ObjectValues values(
+                o, {objects.sources.size() + k, count, file, files.size()});
             std::string title = path;
-            if (!parts[part].name.empty()) title += ": '" + parts[part].name + "'";
+            if (!pieces[k].name.empty()) title += ": '" + pieces[k].name + "'";
             accept(session, title, o.repair,
-                   voxelize::sheetDomainOf(scene, values.yes("--fill-below")), parts[part].mesh,
+                   voxelize::sheetDomainOf(scene, values.yes("--fill-below")), pieces[k].mesh,
                    objects.facts);
         }
-        if (one) joinAlike(session, path, parts);
-        for (mesh::Part& part : parts) {
-            objects.sources.push_back({file, part.name});
-            objects.meshes.push_back(std::move(part.mesh));
+        joinAlike(session, o, path, pieces);
+        for (Piece& piece : pieces) {
+            mesh2vol::Source source{file, piece.name};
+            if (piece.material) {
+                source.material = mesh2vol::materialOf(*piece.material, piece.mesh);
+                source.materialText = mesh2vol::materialText(*piece.material);
+            }
+            objects.sources.push_back(std::move(source));
+            objects.meshes.push_back(std::move(piece.mesh));
         }
     }
     return objects;
@@ -172,6 +231,9 @@ int main(int argc, char** argv) {
                                       "scene volume.");
     mesh2vol::Options options;
     mesh2vol::addOptions(session.app(), options);
-    session.requireOneOf({"--ior", "--material", "--metal"});
+    session.requireOneOf({"--ior", "--material", "--metal"}, [&] {
+        return std::any_of(options.meshes.begin(), options.meshes.end(),
+                           mesh2vol::mayBringMaterials);
+    });
     return session.run(argc, argv, [&](tool::Session&) { voxelizeMeshes(session, options); });
 }

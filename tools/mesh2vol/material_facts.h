@@ -28,9 +28,12 @@ materialFacts(const Options& o, const std::vector<Source>& sources,
             text += ", as o-rays have it: no --axis";
         facts.emplace_back("material " + of, text);
     };
-    for (size_t k = 0; k < sources.size(); ++k)
-        tell(params.objects[k].name, ObjectValues(o, placeOf(o, sources, k)).material(),
-             params.objects[k].material);
+    for (size_t k = 0; k < sources.size(); ++k) {
+        const ObjectValues values(o, placeOf(o, sources, k));
+        if (sources[k].material && !values.has("--material") && !values.has("--metal"))
+            facts.emplace_back("material " + params.objects[k].name, sources[k].materialText);
+        tell(params.objects[k].name, values.material(), params.objects[k].material);
+    }
     tell(volume::kMedium, materialOf("--medium-material", o.medium.material), params.medium);
     return facts;
 }

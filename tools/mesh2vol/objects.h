@@ -5,6 +5,7 @@
 #include "base/input_file.h"
 #include "mesh2vol/crystals.h"
 #include "mesh2vol/options.h"
+#include "mesh2vol/scene_files.h"
 
 #include <filesystem>
 
@@ -14,7 +15,15 @@ namespace eikonal::mesh2vol {
 struct Source {
     size_t file = 0;       ///< of Options::meshes
     std::string part = {}; ///< what it is called there; empty: the file is one object
+    std::optional<voxelize::Material> material = {}; ///< what the file says it is made of
+    std::string materialText = {};                   ///< the same in words
 };
+
+/// Whether the options have matter for any object.
+inline bool tellsAnyMatter(const Options& o) {
+    return !o.given("--ior").empty() || !o.given("--material").empty() ||
+           !o.given("--metal").empty();
+}
 
 /// The value of an object's option, or `fallback` where it was not given.
 class ObjectValues {
@@ -32,6 +41,7 @@ public:
     std::string text(const std::string& option, const std::string& fallback) const {
         return has(option) ? voxelize::forObject(option, mOptions.given(option), mPlace) : fallback;
     }
+    bool tellsAnyMatter() const { return mesh2vol::tellsAnyMatter(mOptions); }
     const optics::NamedMaterial* material() const {
         return materialOf("--material", text("--material", kNone));
     }
@@ -67,17 +77,25 @@ inline int priorityOf(const ObjectValues& values) {
 }
 
 /// Throws UsageError of an object whose index is not known, or its dispersion known twice.
-inline void checkTogether(const ObjectValues& values) {
+inline void checkTogether(const ObjectValues& values, bool fileTells) {
     const std::string object = " for object " + std::to_string(values.place().object + 1);
-    if (!values.has("--ior") && !values.has("--material") && !values.has("--metal"))
+    const bool told = values.has("--ior") || values.has("--material") || values.has("--metal");
+    if (!told && !fileTells && !values.tellsAnyMatter())
+        throw UsageError("not given: --ior or --material or --metal (--help lists the options)");
+    if (!told && !fileTells)
         throw UsageError("--ior: none" + object + ", expected one, or a --material or --metal");
     if (values.has("--abbe") && values.has("--dispersion"))
         throw UsageError("--abbe: given with --dispersion" + object + ", expected one of the two");
 }
 
-inline voxelize::Object objectOf(const ObjectValues& values) {
+/// An object of what the options say and, where they leave it open, its file. A --material or
+/// --metal takes the place of all that the file says; other options replace one value each.
+inline voxelize::Object objectOf(const ObjectValues& values,
+                                 const std::optional<voxelize::Material>& ofFile = {}) {
     voxelize::Object object;
     voxelize::Material& m = object.material;
+    if (ofFile && !values.has("--material") && !values.has("--metal")) m = *ofFile;
+    if (values.has("--opacity")) m.metal.reset(); // else it would not count
     if (const optics::NamedMaterial* material = values.material()) {
         m.ior = material->ior;
         m.dispersion = material->dispersion;
@@ -147,8 +165,8 @@ inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& so
     voxelize::Params params = sceneOf(o);
     for (size_t k = 0; k < sources.size(); ++k) {
         const voxelize::Place place = placeOf(o, sources, k);
-        checkTogether({o, place});
-        params.objects.push_back(objectOf({o, place}));
+        checkTogether({o, place}, sources[k].material.has_value());
+        params.objects.push_back(objectOf({o, place}, sources[k].material));
         params.objects.back().name = nameOf(o, sources[k], place);
     }
     for (const voxelize::Object& object : params.objects)
@@ -185,7 +203,8 @@ inline void checkBeforeReading(const Options& o) {
     params.sharp = false; // names are looked at when all are known
     for (size_t k = 0; k < most; ++k) {
         // Which value goes with which is known where no option is given for each object.
-        if (most == o.meshes.size()) checkTogether({each, {k, most, k, most}});
+        if (most == o.meshes.size())
+            checkTogether({each, {k, most, k, most}}, mayBringMaterials(o.meshes[k]));
         params.objects.push_back(objectOf({each, {k, most, k, most}}));
         params.objects.back().name =
             most == o.meshes.size() ? nameOfFile(o, k) : "object " + std::to_string(k + 1);

@@ -98,7 +98,8 @@ inline void addOptions(CLI::App& app, Options& o) {
     app.add_option(
            "mesh", o.meshes,
            "closed surfaces, or open ones that end at the faces of --bounds or beyond: OBJ, PLY, "
-           "OFF or STL; - is standard input")
+           "OFF, STL or glTF; - is standard input. What glTF and the .mtl of an OBJ say of matter "
+           "holds where no option says other")
         ->type_name("MESH")
         ->required();
     addObjectOptions(app, o);

@@ -58,6 +58,7 @@ void renderVolumes(tool::Session& session, Options& o) {
     if (!o.environment.empty()) inputs.push_back(environment.path);
     if (!plate.path.empty()) inputs.push_back(plate.path);
     if (!o.light.empty()) inputs.push_back(o.light);
+    if (!o.sceneCamera.empty()) inputs.push_back(o.cameraFile());
     session.guardInputs(inputs);
     for (const std::string& path : session.outputPaths()) checkOutput(path);
     // Colour, the rays' paths and every AOV are held until the picture is whole.
@@ -113,10 +114,9 @@ int main(int argc, char** argv) {
                                     "meshes by --method. Output is EXR, or a tone-mapped picture "
                                     "for .png, .jpg, .tga; -o may be given again.");
     Options options;
-    addOptions(session.app(), options);
-    session.requireOneOf({"--fov", "--ortho"});
+    addOptions(session, options);
     return session.run(argc, argv, [&](tool::Session&) {
-        options.finish(session.app());
+        options.finish(session);
         if (options.method == "trace")
             renderVolumes(session, options);
         else

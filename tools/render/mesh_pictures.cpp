@@ -249,6 +249,7 @@ void guardFiles(tool::Session& session, const Options& o, const Task& task) {
     std::vector<std::string> patterns = o.inputs, inputs;
     for (const Plate& plate : task.plates) patterns.push_back(plate.path);
     if (!o.environment.empty()) inputs.push_back(image::parsePictureName(o.environment).path);
+    if (!o.sceneCamera.empty()) inputs.push_back(o.cameraFile());
     std::vector<std::string> outputs = session.outputPaths();
     for (const std::string& path : outputs) checkOutput(path);
     if (task.frames.empty()) {

@@ -3,6 +3,7 @@
 #include "render/options.h"
 
 #include "base/text.h"
+#include "render/scene_camera.h"
 
 #include <cmath>
 
@@ -10,28 +11,48 @@ namespace eikonal {
 
 namespace {
 
-void addCamera(CLI::App& app, camera::Camera& camera, std::string& size) {
-    tool::addVector(app, "--eye", camera.eye, "where the camera stands [unit]")
-        ->required()
-        ->group("Camera");
+void addCamera(tool::Session& session, Options& o) {
+    CLI::App& app = session.app();
+    camera::Camera& camera = o.params.camera;
+    const char* const kGroup = "Camera";
+    auto* file = app.add_option("--camera", o.sceneCamera,
+                                "that of a glTF scene, by its node's name or its own; without one "
+                                "the first; instead of the next five")
+                     ->type_name("SCENE.glb[:NAME]")
+                     ->group(kGroup);
+    const auto isFile = [file] { return file->count() > 0; };
+    tool::addVector(app, "--eye", camera.eye,
+                    "where the camera stands [unit]; needed, as --target, --fov or --ortho, and "
+                    "--size, without "
+                    "--camera")
+        ->excludes(file)
+        ->group(kGroup);
     tool::addVector(app, "--target", camera.target, "the point it looks at [unit]")
-        ->required()
-        ->group("Camera");
+        ->excludes(file)
+        ->group(kGroup);
     tool::addVector(app, "--up", camera.up, "what is up in the picture; default 0,1,0")
-        ->group("Camera");
+        ->excludes(file)
+        ->group(kGroup);
     auto* fov = app.add_option("--fov", camera.fov, "vertical angle of view [degree]")
                     ->type_name("DEG")
-                    ->group("Camera");
+                    ->excludes(file)
+                    ->group(kGroup);
     auto* ortho =
         app.add_option("--ortho", camera.height, "parallel projection of this height [unit]")
             ->type_name("HEIGHT")
             ->excludes(fov)
-            ->group("Camera");
+            ->excludes(file)
+            ->group(kGroup);
     fov->excludes(ortho);
-    app.add_option("--size", size, "width and height of the picture [pixel]")
+    app.add_option("--size", o.size,
+                   "width and height of the picture [pixel]; with --camera by default of its "
+                   "aspect, 640 along the longer edge")
         ->type_name("WxH")
-        ->required()
-        ->group("Camera");
+        ->group(kGroup);
+    session.requireOneOf({"--eye"}, isFile);
+    session.requireOneOf({"--target"}, isFile);
+    session.requireOneOf({"--size"}, isFile);
+    session.requireOneOf({"--fov", "--ortho"}, isFile);
 }
 
 void addMeshOptions(CLI::App& app, Options& o) {
@@ -82,7 +103,8 @@ bool isGiven(const CLI::App& app, const std::string& name) {
 
 } // namespace
 
-void addOptions(CLI::App& app, Options& o) {
+void addOptions(tool::Session& session, Options& o) {
+    CLI::App& app = session.app();
     view::Params& p = o.params;
     app.add_option(
            "input", o.inputs,
@@ -97,7 +119,7 @@ void addOptions(CLI::App& app, Options& o) {
         ->type_name("FILE:TX,TY,TZ[:RX,RY,RZ[:S]]")
         ->allow_extra_args(false)
         ->group("Places");
-    addCamera(app, p.camera, o.size);
+    addCamera(session, o);
     app.add_option("--plate-distance", o.plateDistance,
                    "of the picture of --plate from the eye [unit]")
         ->type_name("D")
@@ -183,14 +205,24 @@ void addOptions(CLI::App& app, Options& o) {
                         "albedo", "sdf", "fluence", "light_direction"});
 }
 
-void Options::finish(const CLI::App& app) {
+std::string Options::cameraFile() const {
+    return scene_camera::parse(sceneCamera).path;
+}
+
+void Options::finish(tool::Session& session) {
+    params.camera.parallel = isGiven(session.app(), "--ortho");
+    if (!sceneCamera.empty()) {
+        const scenefile::Camera found =
+            scene_camera::read(session, scene_camera::parse(sceneCamera));
+        scene_camera::place(found, params.camera);
+        if (size.empty()) size = scene_camera::sizeOf(found);
+    }
     const auto parsed = parseNumbers(size, 'x');
     const auto whole = [](double v) { return v >= 1 && v <= 1e6 && v == static_cast<int>(v); };
     if (!parsed || parsed->size() != 2 || !whole((*parsed)[0]) || !whole((*parsed)[1]))
         throw UsageError("--size: found '" + size + "', expected WIDTHxHEIGHT in pixels");
     params.camera.width = static_cast<int>((*parsed)[0]);
     params.camera.rows = static_cast<int>((*parsed)[1]);
-    params.camera.parallel = isGiven(app, "--ortho");
     if (!(std::abs(toneMap.exposure) <= 100))
         throw UsageError("--exposure: found " + toText(toneMap.exposure) +
                          ", expected -100 to 100 stops");

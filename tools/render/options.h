@@ -16,7 +16,7 @@ namespace eikonal {
 
 struct Options {
     std::vector<std::string> inputs, placed;
-    std::string size, environment, aovs, light, tone = "clip";
+    std::string sceneCamera, size, environment, aovs, light, tone = "clip";
     volume::GridNames names;
     view::Params params; ///< camera, surroundings and samples are every method's
     std::optional<tool::TracingOptions> tracing;
@@ -29,8 +29,11 @@ struct Options {
     std::vector<std::string> plates;           ///< of volumes one, a picture
     double plateDistance = 0, plateHeight = 0; ///< [unit]; height 0: not given
 
-    /// What texts mean that every method has. Throws UsageError.
-    void finish(const CLI::App& app);
+    /// What texts mean that every method has, the camera's file read. Throws UsageError, and as
+    /// readers do of that file.
+    void finish(tool::Session& session);
+    /// The file of --camera; empty: none.
+    std::string cameraFile() const;
     /// The same of those that volumes alone have.
     void finishTracing();
     /// Of volumes: the picture of --plate, none if its path is empty; the place of that goes into
@@ -40,7 +43,7 @@ struct Options {
     std::vector<std::string> aovNames(const std::vector<std::string>& all) const;
 };
 
-void addOptions(CLI::App& app, Options& o);
+void addOptions(tool::Session& session, Options& o);
 
 /// Throws UsageError for an option that is given and is for meshes alone.
 void refuseMeshOptions(const CLI::App& app);

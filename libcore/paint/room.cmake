@@ -1,0 +1,1 @@
+eikonal_room(paint SOURCES noise.cpp paint.cpp strokes.cpp)
