@@ -1,5 +1,5 @@
-# Crystals: a rhomb of calcite before printed text, without and with a polariser, and tourmaline seen across its axis
-# and along it.
+# Crystals: a rhomb of calcite before printed text, without and with a polariser; tourmaline seen across its axis and
+# along it; a wedge of quartz between crossed polarisers.
 #   make -f pipelines/crystals.mk [BIN=build/bin] [OUT=out] [SAMPLES=9]
 # SPDX-License-Identifier: GPL-3.0-or-later
 BIN     ?= build/bin
@@ -9,7 +9,7 @@ DIR     := $(OUT)/crystals
 PRISM   := awk -f pipelines/crystals/prism.awk
 .DELETE_ON_ERROR:
 .PHONY: all
-all: $(DIR)/rhomb.png $(DIR)/tourmaline.png
+all: $(DIR)/rhomb.png $(DIR)/tourmaline.png $(DIR)/wedge.png
 
 $(DIR):
 	mkdir -p $@
@@ -51,6 +51,15 @@ $(DIR)/env.exr: | $(DIR)
 $(DIR)/tourmaline.exr: $(DIR)/tourmaline.vdb $(DIR)/env.exr
 	$(BIN)/render $< -o $@ --eye 0.9,1.3,9 --target 0,0,0 --fov 22 --size 640x400 --env $(DIR)/env.exr \
 	  --samples $(SAMPLES) --wavelengths 1
+
+# ---- 0.04 to 0.25 mm of quartz: two modes that are up to 2.3 µm apart, four orders of Newton's colours
+$(DIR)/wedge.obj: pipelines/crystals/prism.awk | $(DIR)
+	$(PRISM) -v base='-2,0,0.075 2,0,0.5 2,0,-0.5 -2,0,-0.075' -v along=0,1.2,0 >$@
+$(DIR)/wedge.vdb: $(DIR)/wedge.obj
+	$(BIN)/mesh2vol $< -o $@ --material quartz --axis 0.70711,0.70711,0 --resolution 224 --smooth 0
+$(DIR)/wedge.exr: $(DIR)/wedge.vdb
+	$(BIN)/render $< -o $@ --eye 0,0,9 --target 0,0,0 --ortho 1.8 --size 640x256 --background 1 --unit 2.5e-4 \
+	  --polarizer 0 --back-polarizer 90 --wavelengths 8 --samples 4
 
 $(DIR)/%.png: $(DIR)/%.exr
 	oiiotool $< --ch R,G,B --colorconvert linear sRGB -d uint8 -o $@

@@ -35,7 +35,7 @@ vec3 acrossRay(vec3 along, vec3 direction) {
 
 // The share of unpolarised light from around the scene that its polariser leaves, as the path takes it.
 float polarisedShare(Path path, vec3 direction) {
-    if (!kCrystals || params.backPolarizer.w == 0.0) return 1.0;
+    if (params.backPolarizer.w == 0.0) return 1.0;
     float along = dot(path.polarisation, acrossRay(params.backPolarizer.xyz, direction));
     return 0.5 * (1.0 - dot(path.polarisation, path.polarisation)) + along * along;
 }
@@ -46,14 +46,16 @@ void seeBeyond(inout Path path, inout Load load, vec3 direction) {
     float plateWay = kPlate ? wayToPlate(path.ray.x, direction) : -1.0;
     vec3 seen = vec3(0.0);
     if (kPlate && plateWay >= 0.0 && !(way >= 0.0 && way < plateWay)) {
-        seen = plateLight(path.ray.x + plateWay * direction) * polarisedShare(path, direction);
+        seen = plateLight(path.ray.x + plateWay * direction);
+        if (kCrystals) seen *= polarisedShare(path, direction);
     } else if (kGround && way >= 0.0) {
         seen = groundLight(path.ray.x, direction, way);
         if (load.first) load.outward = isAbove(path.ray.x) ? ground.plane.xyz : -ground.plane.xyz;
         path.ray.x += way * direction;
         path.status = kStopped;
     } else {
-        seen = backgroundLight(direction) * polarisedShare(path, direction);
+        seen = backgroundLight(direction);
+        if (kCrystals) seen *= polarisedShare(path, direction);
     }
     load.sky += path.throughput * seen * outsideWeight();
 }

@@ -253,6 +253,17 @@ TEST(CrystalView, WhatIsNotTracedIsRefused) {
         seen(crystalVolume(ivec3(24), {{"opaque", [](dvec3 p) { return glm::length(p - 12.0) - 8; },
                                         kO, calcite, 0, 0.5}})),
         DataError);
+    for (const volume::Crystal& bad : {volume::Crystal{1.5F, 0, {0, 2, 0}, {0, 0, 0}},
+                                       {0.9F, 0, {0, 1, 0}, {0, 0, 0}},
+                                       {1.5F, 0, {0, 1, 0}, {0, -1, 0}},
+                                       {NAN, 0, {0, 1, 0}, {0, 0, 0}}})
+        EXPECT_THROW(seen(boxOverWall(kO, bad)), DataError);
+    seen(boxOverWall(kO, volume::Crystal{1.5F, 0, {0, 0, 0}, {0, 0, 0}})); // none
+    volume::Volume grids = boxOverWall(kO, calcite);
+    const ivec3 size(48, 40, 48);
+    grids.put("axis", {ivec3(0), size - 1},
+              {size, 1, std::vector<float>(static_cast<size_t>(size.x) * size.y * size.z, 1)}, {});
+    EXPECT_THROW(seen(std::move(grids)), DataError);
     Params blurred = parallel({24, 100, 24}, {24, 0, 24}, 30, {1, 1}, {0, 0, 1});
     blurred.boundary = optics::Boundary::blurred;
     EXPECT_THROW(Look(scene::Files(boxOverWall(kO, calcite)), blurred), DataError);
