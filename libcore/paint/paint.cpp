@@ -271,9 +271,9 @@ std::vector<std::string> run(Volume& volume, const Params& params, Stats& stats)
         return canvases.back().second;
     };
     for (const Noise& noise : params.noises) {
-        if (volume.constant(owners.whole(noise.grid)).value_or(glm::vec3(0)) == glm::vec3(0) &&
-            !volume.has(owners.whole(noise.grid)))
-            warnings.push_back("--noise " + noise.grid + ": there is no such grid to multiply");
+        if (!volume.has(owners.whole(noise.grid)))
+            warnings.push_back("--noise " + noise.grid +
+                               ": there is no such grid: its default is multiplied");
         paintNoise(canvasOf(noise.grid), noise);
     }
     for (const Sphere& sphere : params.spheres) paintSphere(canvasOf(sphere.grid), sphere);

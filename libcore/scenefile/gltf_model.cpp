@@ -5,6 +5,9 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #define TINYGLTF_NO_FS
+// With TINYGLTF_NO_FS the library uses it all the same, and does not include it.
+#include <fstream>
+
 #include "scenefile/gltf_model.h"
 
 #include "base/error.h"

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := wine
 RESOLUTION ?= 320
+PHOTONS    ?= 6000000
 SIZE       ?= 480x360
 include pipelines/gallery/common.mk
 
@@ -11,7 +12,7 @@ MESHES         := $(MADE)/glass.obj $(MADE)/wine.obj
 VOLUME_OPTIONS  = --ior 1.5 --ior 1.345 --priority 1 --priority 0 --absorption 0 --absorption 0.006,0.12,0.1 \
                   --resolution $(RESOLUTION) --ground '0:0.75,0.62,0.5' --bounds=-60,-4,-50,110,126,110
 SMOOTH         := off
-LIGHT_OPTIONS  ?= --light directional:0.62,-0.72,0.55:2.6,2.5,2.3
+LIGHT_OPTIONS  ?= --light directional:0.62,-0.72,0.55:2.6,2.5,2.3 --method photons --photons $(PHOTONS) --surface-detail 2
 VIEW_OPTIONS    = --eye 60,190,330 --target 14,42,10 --fov 27 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)
 VIEW_FILES      = $(ROOM)
 include pipelines/chain.mk

@@ -68,5 +68,5 @@ test_makes_and_pipes() {
     rm -f out* stats.json
 }
 
-make_volume fog.vdb size=16 voxel=0.1 ior=1 scattering sphere:0.5:1:0 || exit 2
+make_volume fog.vdb size=16 voxel=0.1 ior constant:1 scattering sphere:0.5:1:0 || exit 2
 run_tests

@@ -1,0 +1,13 @@
+# Caption: A diamond in the brilliant cut among many lamps: total reflection and fire.
+# Answers: 004 section 7 (total reflection), with dispersion
+# SPDX-License-Identifier: GPL-3.0-or-later
+NAME := brilliant
+SIZE ?= 300x250
+RESOLUTION ?= 384
+SAMPLES ?= 12
+include pipelines/gallery/common.mk
+picture: $(OUT)/brilliant.png
+.PHONY: picture
+$(OUT)/brilliant.png:
+	$(MAKE) -f pipelines/diamond.mk BIN=$(BIN) OUT=$(MADE) SIZE=$(SIZE) RESOLUTION=$(RESOLUTION) SAMPLES=$(SAMPLES)
+	cp $(MADE)/diamond.png $@

@@ -1,0 +1,61 @@
+# Caption: Five things in five volumes on one floor: each is seen through and mirrored in the others.
+# Answers: 000 section 6, the museum; 004 figure 7.2
+# SPDX-License-Identifier: GPL-3.0-or-later
+NAME       := museum
+RESOLUTION ?= 128
+SIZE       ?= 480x240
+include pipelines/gallery/common.mk
+THINGS := block cube ring sphere gyroid
+PLACE_block := -2.9,1.2,-0.5
+PLACE_cube := -1.35,1.2,0.5
+PLACE_ring := 0.1,1.2,-0.6
+PLACE_sphere := 1.45,1.2,0.5
+PLACE_gyroid := 2.9,1.2,-0.5
+picture: $(OUT)/museum.png
+.PHONY: picture
+.SECONDARY:
+
+$(MADE)/block_0.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) box --from=-0.55,0,-0.18 --to 0.55,0.6,0.18 --place=$(PLACE_block) -o $@
+$(MADE)/block_1.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) logo GLAS --height 0.28 --depth 0.14 --place=-3.33,1.36,-0.5 -o $@
+$(MADE)/cube_0.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) implicit rounded-cube --place=-1.35,1.56,0.5:0,30,0:0.36 -o $@
+$(MADE)/cube_1.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) sphere --radius 0.2 --place=-1.35,1.56,0.5 -o $@
+$(MADE)/ring_0.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) implicit torus --place=0.1,1.62,-0.6:90,0,0:0.42 -o $@
+$(MADE)/sphere_0.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) sphere --radius 0.42 --place=1.45,1.62,0.5 -o $@
+$(MADE)/gyroid_0.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) implicit gyroid --cells 1.5 --place=2.9,1.62,-0.5:0,20,0:0.4 -o $@
+# Each thing's stand.
+STAND = $(MESHGEN) box --from=-0.42,0,-0.42 --to 0.42,1.2,0.42 --place=$(1),0,$(2) -o $@
+$(MADE)/block_stand.obj: ; @mkdir -p $(@D)
+	$(MESHGEN) box --from=-0.65,0,-0.42 --to 0.65,1.2,0.42 --place=-2.9,0,-0.5 -o $@
+$(MADE)/cube_stand.obj: ; @mkdir -p $(@D)
+	$(call STAND,-1.35,0.5)
+$(MADE)/ring_stand.obj: ; @mkdir -p $(@D)
+	$(call STAND,0.1,-0.6)
+$(MADE)/sphere_stand.obj: ; @mkdir -p $(@D)
+	$(call STAND,1.45,0.5)
+$(MADE)/gyroid_stand.obj: ; @mkdir -p $(@D)
+	$(call STAND,2.9,-0.5)
+
+# What each is made of, before its stand; the first volume has the floor for all.
+MATTER_block  := --ior 1.5 --ior 1.62 --absorption 0.05 --absorption 0.6,2.2,4 --opacity 0 --opacity 0
+MATTER_cube   := --ior 1.45 --ior 1.7 --absorption 0.5,2.2,2.8 --absorption 2.8,0.8,0.3 --opacity 0 --opacity 0
+MATTER_ring   := --ior 1.5 --absorption 0.3,1.6,2.4 --opacity 0
+MATTER_sphere := --ior 1.5 --absorption 1.6,0.5,0.2 --opacity 0
+MATTER_gyroid := --ior 1.55 --absorption 1.8,0.5,1.4 --opacity 0
+GROUND_block  := --ground '0:0.5,0.46,0.42:checker 0.8'
+$(MADE)/%_0.vdb: $(MADE)/%_0.obj $(MADE)/%_stand.obj
+	$(BIN)/mesh2vol $(sort $(wildcard $(MADE)/$*_[01].obj)) $(MADE)/$*_stand.obj -o $@ $(MATTER_$*) --ior 1 --opacity 1 \
+	  $(if $(filter block cube,$*),--albedo 0 --albedo 0,--albedo 0) --albedo 0.6,0.57,0.52 $(GROUND_$*) --resolution $(RESOLUTION)
+$(MADE)/block_0.vdb: $(MADE)/block_1.obj
+$(MADE)/cube_0.vdb: $(MADE)/cube_1.obj
+$(MADE)/%_lit.vdb: $(MADE)/%_0.vdb
+	$(BIN)/lightsim $< -o $@ --light directional:0.5,-1,-0.45:2.6,2.5,2.3 --surface-detail 2
+$(OUT)/museum.exr $(OUT)/museum.png &: $(THINGS:%=$(MADE)/%_lit.vdb) $(ROOM)
+	$(BIN)/render $(THINGS:%=$(MADE)/%_lit.vdb) -o $(OUT)/museum.exr -o $(OUT)/museum.png --eye 0.3,2.4,8.2 \
+	  --target 0,1.05,0 --fov 25 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)

@@ -1,0 +1,12 @@
+# Caption: White light through a slit and prisms of flint and of crown glass, in smoke and on a wall.
+# Answers: 000 section 3 (dispersion, which the source leaves out)
+# SPDX-License-Identifier: GPL-3.0-or-later
+NAME := prism
+SIZE ?= 480x272
+WALL ?= 64
+include pipelines/gallery/common.mk
+picture: $(OUT)/prism.png
+.PHONY: picture
+$(OUT)/prism.png:
+	$(MAKE) -f pipelines/rainbow.mk BIN=$(BIN) OUT=$(MADE) SIZE=$(SIZE) WALL=$(WALL)
+	cp $(MADE)/rainbow.png $@
