@@ -17,11 +17,12 @@ $(DIR):
 # ---- Iceland spar as it cleaves: edges at 101.92°, the axis along the sum of three that meet in a blunt corner
 RHOMB_AXIS := 0.44232,0.54540,0.71195
 $(DIR)/rhomb.obj: pipelines/crystals/prism.awk | $(DIR)
-	$(PRISM) -v base='0,0,0 1,0,0 0.79352,0.97844,0 -0.20648,0.97844,0' -v along=-0.20648,-0.25461,0.94474 -v size=2 >$@
+	$(PRISM) -v base='0,0,0 1.4,0,0 1.11093,1.36982,0 -0.28907,1.36982,0' -v along=-0.14454,-0.17823,0.66132 \
+	  -v size=1.5 >$@
 $(DIR)/rhomb.vdb: $(DIR)/rhomb.obj
 	$(BIN)/mesh2vol $< -o $@ --material calcite --axis $(RHOMB_AXIS) --resolution 128 --smooth 0
 $(DIR)/page.exr: pipelines/crystals/page.awk | $(DIR)
-	awk -f $< -v text='TWO RAYS FROM ONE' -v lines=11 -v dot=7 -v width=960 -v height=720 >$(DIR)/page.ppm
+	awk -f $< -v text='TWO RAYS FROM ONE' -v lines=8 -v dot=8 -v width=960 -v height=720 >$(DIR)/page.ppm
 	oiiotool $(DIR)/page.ppm --colorconvert sRGB linear -d float -o $@
 VIEW := --eye 0,0,14 --target 0,0,0 --fov 16 --size 480x360 --samples $(SAMPLES) --wavelengths 1
 PAGE := --plate $(DIR)/page.exr --plate-distance 15.2

@@ -116,10 +116,8 @@ void listEffects(Plan& plan, const Params& params) {
          : plan.wavefront ? "--method wavefront"
                           : "no volume receives light"});
     const bool rough = plan.scene.anyRough() && !plan.surfaces.empty();
-    const bool crystal = plan.scene.anyCrystal() && !plan.surfaces.empty();
     add({"beams", plan.beams,
          plan.beams ? "irradiance is made of them"
-         : crystal  ? "crystals: photons carry light to surfaces"
          : rough    ? roughNames(plan.scene) + " rough: photons carry light to surfaces"
                     : "no surface receives light"});
     add({"bounces", plan.bounces > 0,
@@ -190,18 +188,16 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
                 light.hasPlace() ? scene::crystalAt(scene, light.vector) : nullptr)
             throw DataError(volume.path() + ": a light is within the crystal '" + crystal->name +
                             "', expected it outside");
-    if (scene.anyCrystal() &&
-        (params.method == Method::beams || params.method == Method::wavefront))
+    if (scene.anyCrystal() && params.method == Method::wavefront)
         throw UsageError("--method: " + volume.path() +
-                         " has crystals, where light is carried by photons alone; expected auto "
-                         "or photons");
+                         " has crystals, through which no wavefronts are traced; expected auto, "
+                         "beams or photons");
     const bool rough = scene.anyRough();
     if (rough && (params.method == Method::beams || params.method == Method::wavefront))
         throw UsageError(
             "--method: " + roughNames(scene) + " of " + volume.path() +
             " rough, where light is carried by photons alone; expected auto or photons");
-    plan.beams =
-        params.method != Method::photons && !plan.surfaces.empty() && !rough && !scene.anyCrystal();
+    plan.beams = params.method != Method::photons && !plan.surfaces.empty() && !rough;
     plan.wavefront = params.method == Method::wavefront && plan.receivesInVolume();
     plan.photons =
         (plan.receivesInVolume() && !plan.wavefront) || (!plan.beams && !plan.surfaces.empty());
@@ -254,10 +250,11 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     if (!plan.sendsPhotons()) return needs;
     const std::int64_t pixels =
         params.photons > 0 ? std::min<std::int64_t>(params.photons, kBatchPixels) : kBatchPixels;
-    const std::int64_t photon = kBytesPerPhoton +
-                                (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0) +
-                                (plan.scene.anyCrystal() ? kBytesPerPolarisation : 0);
+    const std::int64_t photon =
+        kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     needs.push_back({"the photons", pixels * photon, true, 0});
+    if (plan.scene.anyCrystal())
+        needs.push_back({"the photons' polarisations", pixels * kBytesPerPolarisation, true, 0});
     return needs;
 }
 
