@@ -108,7 +108,9 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     : mGrid(device, "lightsim/beam_grid.comp.glsl", {}),
       mTrace(device, "lightsim/beam_trace.comp.glsl", switchesOf(plan, params)),
       mSort(device, "lightsim/beam_sort.comp.glsl",
-            {{"CHANNELS", plan.tracedChannels()}, {"CULLS", !plan.points.empty()}}),
+            {{"CHANNELS", plan.tracedChannels()},
+             {"CULLS", !plan.points.empty()},
+             {"CRYSTALS", plan.scene.anyCrystal()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
       mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
       mCut(device, "lightsim/beam_cut.comp.glsl", {}),
@@ -119,7 +121,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mSeed(params.seed),
+      mMapCells(cellsOf(params)), mSeed(params.seed), mWayBits(plan.scene.anyCrystal() ? 2 : 1),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -131,7 +133,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
     mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
-    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays));
+    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays / mWayBits));
     mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
     mParams.right.w = static_cast<float>(params.shadowCull);
 }
@@ -344,7 +346,7 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     }
 }
 
-/// Both kinds of path that go on from the interfaces where cells of this one wait.
+/// All kinds of path that go on from the interfaces where cells of this one wait.
 void Beams::follow(Run& run, Kind& kind) {
     if (kind.next.empty() || run.nearFull) return;
     kind.slots.bindStorage(kSlotsBuffer);
@@ -355,10 +357,10 @@ void Beams::follow(Run& run, Kind& kind) {
         nodes.list.bindStorage(kNodesBuffer);
         dispatchList(mFollow, nodes.count);
     }
-    for (std::uint32_t way = 0; way < 2; ++way) {
+    for (std::uint32_t way = 0; way < 1u << mWayBits; ++way) {
         if ((kind.nextWays >> way & 1u) == 0) continue;
         Kind after;
-        after.ways = kind.ways | way << kind.length;
+        after.ways = kind.ways | way << (kind.length * mWayBits);
         after.length = kind.length + 1;
         after.before = &kind;
         grow(run, after, kind.wantedCount);

@@ -62,6 +62,7 @@ private:
     VoxelBox mDomain;
     std::int64_t mMapCells; ///< where the map is aimed at; 0: as many as is worth it
     std::uint32_t mSeed;
+    int mWayBits; ///< that tell a way taken at an interface
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple
 

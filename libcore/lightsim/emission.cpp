@@ -88,8 +88,8 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
       mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
       mTarget(mDomain), mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
-      mManyObjects(scene::areMany(plan.scene.objects)), mSourcesDiffer(plan.sourcesDiffer),
-      mStartsOnDomain(params.proxy.empty()) {
+      mManyObjects(scene::areMany(plan.scene.objects)), mCrystals(plan.scene.anyCrystal()),
+      mSourcesDiffer(plan.sourcesDiffer), mStartsOnDomain(params.proxy.empty()) {
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
         corners = trianglesOf(mDomain);
@@ -193,7 +193,7 @@ std::uint32_t Emission::emit(gpu::Device& device, const scene::Transport& transp
                              const Batch& batch, Photons& photons) {
     glm::ivec2 largest(0);
     for (const Part& part : batch.parts) largest = glm::max(largest, part.window.pixels);
-    photons.fit(device, batch.pixels(), largest, mManyObjects);
+    photons.fit(device, batch.pixels(), largest, mManyObjects, mCrystals);
     photons.count.clear();
     photons.map.bindSampler(kPhotonMapUnit);
     transport.bind();

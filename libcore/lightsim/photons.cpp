@@ -32,7 +32,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params, bool bounced) {
 } // namespace
 
 void Photons::fit(gpu::Device& device, std::int64_t all, const glm::ivec2& largest,
-                  bool manyObjects) {
+                  bool manyObjects, bool crystals) {
     if (mapSize != largest) {
         mapSize = largest;
         map = gpu::Texture(); // freed before the next is allocated
@@ -41,11 +41,13 @@ void Photons::fit(gpu::Device& device, std::int64_t all, const glm::ivec2& large
     }
     if (pixels == all) return;
     pixels = all;
-    for (gpu::Buffer* buffer : {&slots, &list, &nextList, &objects}) *buffer = gpu::Buffer();
+    for (gpu::Buffer* buffer : {&slots, &list, &nextList, &objects, &polarisations})
+        *buffer = gpu::Buffer();
     slots = gpu::Buffer(device, all * static_cast<std::int64_t>(sizeof(Photon)));
     list = gpu::Buffer(device, all * 4);
     nextList = gpu::Buffer(device, all * 4);
     if (manyObjects) objects = gpu::Buffer(device, all * kBytesPerSet);
+    if (crystals) polarisations = gpu::Buffer(device, all * kBytesPerPolarisation);
     if (count.bytes() == 0) count = gpu::Buffer(device, 16);
 }
 
@@ -54,6 +56,7 @@ void Photons::bind() const {
     slots.bindStorage(kPhotonsBuffer);
     list.bindStorage(kListBuffer);
     if (objects.bytes() > 0) objects.bindStorage(kObjectsBuffer);
+    if (polarisations.bytes() > 0) polarisations.bindStorage(kPolarisationsBuffer);
 }
 
 PhotonTracer::PhotonTracer(gpu::Device& device, const Plan& plan, const Params& params,

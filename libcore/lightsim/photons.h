@@ -17,16 +17,21 @@ constexpr std::int64_t kBytesPerPhoton = sizeof(Photon) + 2 * 4 + 16;
 /// More where there are many objects: the set of those that it is in.
 constexpr std::int64_t kBytesPerSet = 8;
 
+/// More where there are crystals: its mode and polarisation.
+constexpr std::int64_t kBytesPerPolarisation = 16;
+
 /// The photons of one batch: a slot for each pixel of the map, and lists of those that go on.
 struct Photons {
     std::int64_t pixels = 0; ///< of all maps of a batch
     glm::ivec2 mapSize{0};   ///< of the largest
     gpu::Texture map;
     gpu::Buffer slots, list, nextList, count;
-    gpu::Buffer objects; ///< of many: those that each photon is in
+    gpu::Buffer objects;       ///< of many: those that each photon is in
+    gpu::Buffer polarisations; ///< where there are crystals
 
     /// Makes room for a batch, if it has not got that already.
-    void fit(gpu::Device& device, std::int64_t all, const glm::ivec2& largest, bool manyObjects);
+    void fit(gpu::Device& device, std::int64_t all, const glm::ivec2& largest, bool manyObjects,
+             bool crystals);
     /// What emission and tracing both write, at the bindings of shaders/shared/bindings.h.
     void bind() const;
 };

@@ -10,6 +10,7 @@
 #include "lightsim/points.h"
 #include "lightsim/surfaces.h"
 #include "lightsim/voxels.h"
+#include "scene/crystals.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
 #include "scene/voxel_textures.h"
@@ -70,7 +71,9 @@ double deepestVoxel(const Plan& plan) {
     float most = 0;
     for (const Region& region : plan.scene.regions)
         for (int c = 0; c < plan.tracedChannels(); ++c)
-            most = std::max(most, region.absorption.most(c) + region.scattering.most(c));
+            most = std::max(
+                most, std::max(region.absorption.most(c), region.absorptionExtraordinary.most(c)) +
+                          region.scattering.most(c));
     return std::sqrt(3.0) * plan.scene.voxelSize() * static_cast<double>(most);
 }
 
@@ -140,6 +143,7 @@ void listEffects(Plan& plan, const Params& params) {
     add(nothing(named("coat")));
     add(nothing(named("metal")));
     add(nothing(named("roughness")));
+    add(nothing(named("crystals")));
     add(nothing(named("dispersion")));
 }
 
@@ -157,8 +161,11 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     plan.outputs = params.automaticOutputs ? neededOutputs(scene) : params.outputs;
     if (!params.points.empty()) plan.outputs = receives(scene) ? Output::irradiance : Output::none;
     plan.bends = scene.index.varies();
-    plan.attenuates = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
-    plan.colour = scene.anyColoured({&Region::absorption, &Region::scattering}) ||
+    plan.attenuates = scene.anyHas(&Region::absorption) ||
+                      scene.anyHas(&Region::absorptionExtraordinary) ||
+                      scene.anyHas(&Region::scattering);
+    plan.colour = scene.anyColoured({&Region::absorption, &Region::absorptionExtraordinary,
+                                     &Region::scattering}) ||
                   (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal();
     plan.dense = deepestVoxel(plan) > 0.25;
     plan.opaque = scene.anyOpaque();
@@ -176,6 +183,15 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     if (params.method == Method::beams && plan.receivesInVolume())
         throw UsageError("--method: beams carry light to surfaces alone, and " + volume.path() +
                          " scatters light; expected auto or photons");
+    for (const Light& light : params.lights)
+        if (const Region* crystal =
+                light.hasPlace() ? scene::crystalAt(scene, light.vector) : nullptr)
+            throw DataError(volume.path() + ": a light is within the crystal '" + crystal->name +
+                            "', expected it outside");
+    if (scene.anyCrystal() && params.method == Method::wavefront)
+        throw UsageError("--method: " + volume.path() +
+                         " has crystals, through which no wavefronts are traced; expected auto, "
+                         "beams or photons");
     const bool rough = scene.anyRough();
     if (rough && (params.method == Method::beams || params.method == Method::wavefront))
         throw UsageError(
@@ -237,6 +253,8 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     const std::int64_t photon =
         kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     needs.push_back({"the photons", pixels * photon, true, 0});
+    if (plan.scene.anyCrystal())
+        needs.push_back({"the photons' polarisations", pixels * kBytesPerPolarisation, true, 0});
     return needs;
 }
 

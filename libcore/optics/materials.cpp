@@ -33,6 +33,8 @@ const std::vector<NamedMaterial>& namedMaterials() {
         {"air", 1, 0},
         // SCHOTT optical glass, data sheet N-BK7.
         {"bk7", 1.51680, 0.0042175, {0.23, 0.18, 0.30}},
+        // Ghosh, Opt. Commun. 163, 95 (1999).
+        {"calcite", 1.65846, 0.0069081, {}, {{1.48618, 0.0032160}}},
         // Peter, Z. Phys. 15, 358 (1923).
         {"diamond", 2.41749, 0.0134227},
         // Rheims, Köser and Wriedt, Meas. Sci. Technol. 8, 601 (1997).
@@ -41,14 +43,23 @@ const std::vector<NamedMaterial>& namedMaterials() {
         {"f2", 1.62004, 0.0089283, {0.086, 0.079, 0.27}},
         // Malitson, J. Opt. Soc. Am. 55, 1205 (1965).
         {"fused-silica", 1.45846, 0.0035399},
-        // Warren and Brandt, J. Geophys. Res. 113, D14220 (2008), at -7 °C, free of bubbles.
-        {"ice", 1.30974, 0.003043, {0.20, 0.043, 0}},
+        // Warren and Brandt, J. Geophys. Res. 113, D14220 (2008), at -7 °C, free of bubbles; n_e −
+        // n_o
+        // of 0.0014 from C to F as Dorsey, Properties of Ordinary Water-Substance (1940), has it.
+        {"ice", 1.30974, 0.003043, {0.20, 0.043, 0}, {{1.31114, 0.003043}}},
         // Sultanova, Kasarova and Nikolov, Acta Phys. Pol. A 116, 585 (2009): n_d and V_d.
         {"polycarbonate", 1.585, 0.010527},
-        // Malitson and Dodge, J. Opt. Soc. Am. 62, 1405 (1972): the ordinary ray.
-        {"sapphire", 1.76817, 0.0055631},
+        // Ghosh, as calcite.
+        {"quartz", 1.54428, 0.0040899, {}, {{1.55338, 0.0042301}}},
+        // DeVore, J. Opt. Soc. Am. 41, 416 (1951).
+        {"rutile", 2.61427, 0.0856600, {}, {{2.91035, 0.1084811}}},
+        // Malitson and Dodge, J. Opt. Soc. Am. 62, 1405 (1972).
+        {"sapphire", 1.76817, 0.0055631, {}, {{1.76010, 0.0054534}}},
         // SCHOTT optical glass, data sheet SF10.
         {"sf10", 1.72825, 0.0134233, {0.33, 0.15, 1.6}},
+        // Gemmology's tables: 1.624 to 1.644, 0.017 between the lines B and G (Schumann, Gemstones
+        // of the World); of both rays.
+        {"tourmaline", 1.644, 0.0052018, {}, {{1.624, 0.0052018}}},
         // Daimon and Masumura, Appl. Opt. 46, 3811 (2007); Pope and Fry, Appl. Opt. 36, 8710
         // (1997).
         {"water", 1.33340, 0.0031311, {0.30, 0.047, 0}},

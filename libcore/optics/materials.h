@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,15 @@ namespace eikonal::optics {
 
 /// Its index is that of a volume: n(λ) = ior + dispersion (1/λ² − 1/0.5876²), λ in µm.
 struct NamedMaterial {
+    /// Of a uniaxial crystal, whose o-rays have the plain numbers: those of its e-rays.
+    struct Extraordinary {
+        double ior, dispersion;
+    };
     std::string name;
     double ior;               ///< at 587.56 nm, Fraunhofer's d, against air [1]
     double dispersion;        ///< Cauchy B, by which n_F − n_C is the published one [µm²]
     glm::dvec3 absorption{0}; ///< what a short way takes from white light [1/m]
+    std::optional<Extraordinary> extraordinary{};
 };
 
 /// A conductor's complex index n + i k, by linear Rec. 709's channels.

@@ -61,7 +61,8 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
     for (size_t r = 0; r < scene.regions.size(); ++r) {
         const Region& region = scene.regions[r];
         const bool varies = region.coefficientsVary();
-        values.regions[r] = paramsOf(region, h, varies ? static_cast<float>(page.z * pages++) : -1);
+        values.regions[r] = paramsOf(region, h, scene.worldFromVoxelTurn(),
+                                     varies ? static_cast<float>(page.z * pages++) : -1);
     }
     if (areMany(scene.objects)) {
         const BlockTable blocks(scene.objects);

@@ -29,6 +29,13 @@ Effect coefficient(const Scene& scene, const std::string& grid, RegionValues val
 /// Whose index depends on the wavelength, or why light is not traced by it.
 Effect dispersion(const Scene& scene, const optics::Wavelengths& wavelengths) {
     Effect effect = coefficient(scene, "dispersion", &Region::dispersion);
+    if (!effect.on && scene.disperses) { // of a crystal's n_e alone
+        const Region* who = firstRegion(scene, [](const Region& region) {
+            return region.crystal && region.crystal->dispersion != 0;
+        });
+        effect = {effect.name, true,
+                  who ? "'" + who->name + "' has it" : "waves of a crystal interfere"};
+    }
     if (!effect.on) return effect;
     if (scene.disperses) return {effect.name, true, effect.why + ": " + wavelengths.text()};
     return {effect.name, false,
@@ -42,7 +49,8 @@ Effect refraction(const Scene& scene) {
                 scene.index.varies() ? "grid 'ior'"
                                      : "the index is " + toText(scene.index.least) + " everywhere"};
     const Region* who = firstRegion(scene, [&](const Region& region) {
-        return region.indexVaries() || region.index.value != scene.medium().index.value ||
+        return region.crystal || region.indexVaries() ||
+               region.index.value != scene.medium().index.value ||
                (scene.disperses && region.dispersion.value != scene.medium().dispersion.value);
     });
     return {"refraction", who != nullptr,
@@ -82,7 +90,10 @@ std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing
         effects.push_back({"curved_rays", scene.index.varies(),
                            scene.index.varies() ? "an index varies between boundaries"
                                                 : "no index varies between boundaries"});
-    effects.push_back(coefficient(scene, "absorption", &Region::absorption));
+    Effect absorption = coefficient(scene, "absorption", &Region::absorption);
+    if (!absorption.on && scene.anyHas(&Region::absorptionExtraordinary))
+        absorption = coefficient(scene, "absorption", &Region::absorptionExtraordinary);
+    effects.push_back(absorption);
     effects.push_back(coefficient(scene, "scattering", &Region::scattering));
     effects.push_back(coefficient(scene, "anisotropy", &Region::anisotropy));
     effects.push_back(coefficient(scene, "emission", &Region::emission));
@@ -96,6 +107,9 @@ std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing
         scene, "metal", firstRegion(scene, [](const Region& r) { return r.metal.has_value(); })));
     effects.push_back(mirrors(scene, "roughness",
                               firstRegion(scene, [](const Region& r) { return r.roughness > 0; })));
+    effects.push_back(mirrors(scene, "crystals", firstRegion(scene, [](const Region& r) {
+                                  return r.crystal.has_value();
+                              })));
     effects.push_back(dispersion(scene, tracing.wavelengths));
     return effects;
 }

@@ -9,7 +9,7 @@ namespace eikonal::scene {
 
 /// Of a whole scene, in this order: sharp_boundaries, refraction, curved_rays (sharp boundaries
 /// alone), absorption, scattering, anisotropy, emission, opaque, coat, metal, roughness,
-/// dispersion. `tracing` is what was asked for.
+/// crystals, dispersion. `tracing` is what was asked for.
 std::vector<Effect> effectsOf(const Scene& scene, const optics::Tracing& tracing);
 
 /// The one of that name; off where it is not listed.

@@ -166,10 +166,12 @@ Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts
     region.roughness = facts.roughness;
     region.metal = facts.metal;
     region.opaque = region.opaque || region.metal;
+    region.crystal = facts.crystal;
+    if (facts.crystal) region.absorptionExtraordinary.value = facts.crystal->absorption;
     return region;
 }
 
-RegionParams paramsOf(const Region& region, float voxelSize, float page) {
+RegionParams paramsOf(const Region& region, float voxelSize, const glm::dmat3& turn, float page) {
     RegionParams params{};
     params.index =
         vec4(region.index.value.x, region.indexVaries(), region.opaque, region.dispersion.value.x);
@@ -178,6 +180,12 @@ RegionParams paramsOf(const Region& region, float voxelSize, float page) {
     params.emission = vec4(region.emission.value * voxelSize, 0);
     params.albedo = vec4(region.albedo.value, 0);
     params.reflectance = vec4(region.reflectance.value, region.roughness);
+    if (region.crystal) {
+        const volume::Crystal& crystal = *region.crystal;
+        params.axis = vec4(vec3(glm::dvec3(crystal.axis) * turn), crystal.index);
+        params.extraordinary =
+            vec4(region.absorptionExtraordinary.value * voxelSize, crystal.dispersion);
+    }
     if (!region.metal) return params;
     params.metalIndex = vec4(region.metal->index, 1);
     params.metalExtinction = vec4(region.metal->extinction, 0);

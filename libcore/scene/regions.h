@@ -4,6 +4,7 @@
 
 #include "scene/objects.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -38,6 +39,9 @@ struct Region {
     int priority = 0;    ///< where objects overlap the higher wins
     float roughness = 0; ///< GGX's α of its boundary
     std::optional<volume::Metal> metal;
+    /// Its axis turned as the file is. None where it is as glass.
+    std::optional<volume::Crystal> crystal;
+    Values absorptionExtraordinary; ///< of a crystal's light that is polarised along its axis
 
     /// At a term of Cauchy's law [1/µm²]; of sharp boundaries.
     float indexAt(const glm::ivec3& voxel, float term) const;
@@ -63,7 +67,8 @@ Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts
                   const volume::IndexBox& box, const Object* object, bool own);
 
 /// As the device reads it, lengths in voxels; `page` is where its coefficients that vary begin, −1
-/// if none does.
-struct RegionParams paramsOf(const Region& region, float voxelSize, float page);
+/// if none does; `turn` leads from voxel space to the world.
+struct RegionParams paramsOf(const Region& region, float voxelSize, const glm::dmat3& turn,
+                             float page);
 
 } // namespace eikonal::scene

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "scene/crystals.h"
 #include "scene/index.h"
 #include "scene/shared.h"
 #include "volume/make_bricks.h"
@@ -105,9 +106,11 @@ void readObjects(Scene& scene, const volume::Volume& volume) {
 /// Whether rays of some wavelengths go other ways than those of 587.6 nm: what disperses refracts.
 bool disperses(const Scene& scene) {
     const Region& medium = scene.medium();
-    return scene.anyHas(&Region::dispersion) &&
+    const bool any = scene.anyHas(&Region::dispersion) || anyCrystalDisperses(scene);
+    return any &&
            std::any_of(scene.regions.begin(), scene.regions.end(), [&](const Region& region) {
-               return region.indexVaries() || region.index.value != medium.index.value ||
+               return region.crystal || region.indexVaries() ||
+                      region.index.value != medium.index.value ||
                       region.dispersion.value != medium.dispersion.value;
            });
 }
@@ -127,6 +130,11 @@ void requireIndex(const Scene& scene, const optics::Wavelengths& wavelengths) {
             if (scene.sharp && !region.indexVaries())
                 require(region.index.value.x, region.indexAt(ivec3(0), kDispersedTerm), nanometres,
                         " of '" + region.name + "'");
+        for (const Region& region : scene.regions)
+            if (region.crystal)
+                require(region.crystal->index,
+                        region.crystal->index + kDispersedTerm * region.crystal->dispersion,
+                        nanometres, " of the e-rays of '" + region.name + "'");
         const Index& index = scene.index;
         if (index.dispersed.page.empty()) continue;
         const ivec3 size = scene.size();
@@ -186,6 +194,11 @@ bool Scene::anyRough() const {
                        [](const Region& region) { return region.roughness > 0; });
 }
 
+bool Scene::anyCrystal() const {
+    return std::any_of(regions.begin(), regions.end(),
+                       [](const Region& region) { return region.crystal.has_value(); });
+}
+
 bool Scene::anyMatt() const {
     return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
         return sharp ? region.opaque && !region.metal : region.opacity.most(0) > 0.5f;
@@ -241,9 +254,12 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
     const volume::Volume* objects = files.withObjects();
     scene.sharp = wanted.boundary == optics::Boundary::sharp ||
                   (wanted.boundary == optics::Boundary::automatic && objects != nullptr);
+    refuseCrystalGrids(files);
+    if (!scene.sharp && objects != nullptr) refuseBlurredCrystals(*objects);
     if (scene.sharp) {
         if (objects == nullptr) files.first().require("sdf");
         readObjects(scene, *objects);
+        settleCrystals(scene);
     } else {
         Region region;
         region.name = volume::kMedium;

@@ -75,8 +75,9 @@ struct Scene {
     bool anyOpaque() const;
     /// Of those, whether some shows the light that falls on it.
     bool anyMatt() const;
-    bool anyMetal() const; ///< with sharp boundaries
-    bool anyRough() const; ///< the same
+    bool anyMetal() const;   ///< with sharp boundaries
+    bool anyRough() const;   ///< the same
+    bool anyCrystal() const; ///< the same
     /// A matt object whose index is above that of something transparent: it has a coat there. Null
     /// if there is none.
     const Region* firstCoated() const;

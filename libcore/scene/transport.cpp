@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <numbers>
 
 namespace eikonal::scene {
 
@@ -33,7 +34,8 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"OPAQUE", scene.anyOpaque()},
             {"METALS", scene.anyMetal()},
             {"ROUGH", scene.anyRough()},
-            {"COATS", scene.firstCoated() != nullptr}};
+            {"COATS", scene.firstCoated() != nullptr},
+            {"CRYSTALS", scene.anyCrystal()}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {
@@ -64,7 +66,8 @@ Transport::Transport(gpu::Device& device, const Scene& scene, const optics::Trac
     values.scale = vec4(1.0f / glm::vec3(scene.layout.texels()), 0);
     values.steps = vec4(tauOf(scene, steps.longest), tauOf(scene, steps.shortest),
                         tauOf(scene, steps.first), steps.longest);
-    values.tolerance = vec4(tracing.tolerance, glm::length(glm::dvec3(scene.size())), 0, 0);
+    values.tolerance = vec4(tracing.tolerance, glm::length(glm::dvec3(scene.size())),
+                            2e6 * std::numbers::pi * scene.voxelSize() * steps.unit, 0);
     mParams = gpu::Buffer(device, sizeof values, &values);
 }
 

@@ -15,6 +15,7 @@ struct StepLengths {
     double shortest = 1e-3; ///< adaptive: floats hold no position much better [voxel]
     double first = 1e6;     ///< adaptive [voxel]
     bool equal = false;     ///< Verlet's are all of the longest, so that the field is made for them
+    double unit = 0; ///< of the scene [m]: weak crystals' waves keep their phases; 0: none do
 };
 
 /// The switches INTEGRATOR, FIELD, FAINT, DISPERSION, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE

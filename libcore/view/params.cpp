@@ -26,6 +26,12 @@ void Params::check() const {
         requireOption(plate->height >= 0 && plate->height <= 1e18, "--plate-height",
                       toText(plate->height), "a height above 0");
     }
+    requireOption(unit == 0 || (unit >= 1e-9 && unit <= 1e9), "--unit", toText(unit),
+                  "1e-9 to 1e9 metres");
+    for (const auto& [option, angle] :
+         {std::pair("--polarizer", polarizer), std::pair("--back-polarizer", backPolarizer)})
+        requireOption(!angle || std::isfinite(*angle), option, toText(angle.value_or(0)),
+                      "an angle in degrees");
     for (const std::string& name : aovs)
         requireOption(std::count(allAovs().begin(), allAovs().end(), name) == 1, "--aov",
                       "'" + name + "'", "one of " + join(allAovs(), ", "));

@@ -49,8 +49,13 @@ struct Params : optics::Tracing, camera::Background {
     int maxSteps = 0; ///< of one ray, after which it counts as trapped; 0: 16 crossings' worth
     std::vector<std::string> aovs;
     std::optional<Plate> plate;
+    /// Sharp: linear polarisers, by the angle of what they let through from the picture's right
+    /// towards its up [degree]: before the camera, and before what surrounds the scene.
+    std::optional<double> polarizer, backPolarizer;
     PointLights points; ///< where a pixel's first branch ends, in place of the stored light
 
+    double unit = 0; ///< of the scene [m]: the waves of weak crystals interfere; 0: unknown
+    bool polarises() const { return polarizer || backPolarizer; }
     /// Throws UsageError naming the option that is wrong.
     void check() const;
 };

@@ -1,6 +1,7 @@
 // What a picture of a scene calls for, decided before anything is allocated.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/error.h"
+#include "scene/crystals.h"
 #include "scene/effects.h"
 #include "scene/transport.h"
 #include "view/domains.h"
@@ -43,6 +44,7 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
     add(named("coat"));
     add(named("metal"));
     add(named("roughness"));
+    add(named("crystals"));
     const bool stored = !scene.light.surfaces.empty(), points = !params.points.empty();
     const bool matt = scene.anyMatt();
     add({"irradiance", matt && (stored || points),
@@ -79,19 +81,37 @@ void listEffects(Plan& plan, const Params& params, const scene::Files& files) {
 
 } // namespace
 
+namespace {
+
+/// Where the waves of a weak crystal interfere light is traced by wavelength, even if nothing
+/// disperses.
+void letInterfere(scene::Scene& scene, const optics::Wavelengths& wavelengths) {
+    const double kWeak = 0.01; // as shaders/transport/regions.glsl has it
+    const bool any = std::any_of(scene.regions.begin(), scene.regions.end(), [&](const Region& r) {
+        return r.crystal && std::abs(r.crystal->index - r.index.value.x) <= kWeak;
+    });
+    if (!any || scene.disperses || !wavelengths.disperse()) return;
+    scene.disperses = true;
+    scene.index.dispersed = scene.index.grid;
+    scene.index.dispersedRest = scene.index.rest;
+}
+
+} // namespace
+
 void tellEffects(Plan& plan, const Params& params) {
     const scene::Scene& scene = plan.scene;
     plan.bends = scene::effectNamed(scene::effectsOf(scene, params), "refraction").on;
-    plan.dims = scene.anyHas(&Region::absorption) || scene.anyHas(&Region::scattering);
+    plan.dims = scene.anyHas(&Region::absorption) ||
+                scene.anyHas(&Region::absorptionExtraordinary) || scene.anyHas(&Region::scattering);
     plan.emits = scene.anyHas(&Region::emission);
     plan.opaque = scene.anyOpaque();
     plan.scatters = scene.anyHas(&Region::scattering) && plan.lit();
     plan.anisotropic =
         plan.scatters && scene.anyHas(&Region::anisotropy) && !scene.light.direction.isZero();
-    plan.colour =
-        scene.anyColoured({&Region::absorption, &Region::scattering, &Region::emission}) ||
-        (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
-        (plan.scatters && !scene.light.fluence.grey());
+    plan.colour = scene.anyColoured({&Region::absorption, &Region::absorptionExtraordinary,
+                                     &Region::scattering, &Region::emission}) ||
+                  (scene.sharp && scene.anyColoured({&Region::reflectance})) || scene.anyMetal() ||
+                  (plan.scatters && !scene.light.fluence.grey());
 }
 
 Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
@@ -102,6 +122,13 @@ Plan makePlan(const scene::Files& files, const Params& params, bool hasMap) {
     wanted.emission = wanted.surfaces = wanted.light = true;
     plan.scene = scene::read(files, wanted);
     const scene::Scene& scene = plan.scene;
+    if (const Region* crystal = scene::crystalAt(scene, params.camera.eye))
+        throw DataError(scene.path + ": the eye is within the crystal '" + crystal->name +
+                        "', expected it outside");
+    if (params.polarises() && (scene.anyMetal() || scene.anyRough()))
+        throw DataError(scene.path + ": has metal or rough boundaries, which --polarizer and "
+                                     "--back-polarizer expect none of");
+    if (params.unit > 0) letInterfere(plan.scene, params.wavelengths);
     plan.map = hasMap;
     tellEffects(plan, params);
     plan.ground = scene::readGround(files, scene);
@@ -186,6 +213,8 @@ std::vector<Plan> makePlans(std::vector<scene::Files>& files, const Params& para
     }
     mergeOverlapping(plans, params);
     if (plans.size() == 1) return plans;
+    if (params.polarises())
+        throw UsageError("--polarizer: found volumes in places of their own, expected one place");
     if (plans.size() > static_cast<size_t>(kMostDomains))
         throw DataError(std::to_string(plans.size()) +
                         " volumes in places of their own, expected " +

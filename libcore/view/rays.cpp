@@ -14,6 +14,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace eikonal::view {
 
@@ -34,7 +35,7 @@ double stepOf(const Plan& plan, const Params& params) {
 scene::StepLengths stepsOf(const Plan& plan, const Params& params) {
     const double step = stepOf(plan, params);
     const bool adaptive = params.integrator == Integrator::adaptive;
-    return {step, 1e-3, adaptive ? std::min(1.0, step) : step, true};
+    return {step, 1e-3, adaptive ? std::min(1.0, step) : step, true, params.unit};
 }
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
@@ -43,6 +44,9 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     const bool sharp = plan.scene.sharp;
     const bool glows = plan.scatters || (plan.emits && !sharp);
     gpu::Switches list = scene::transportSwitches(plan.scene, params);
+    if (params.polarises())
+        for (auto& [name, value] : list)
+            if (name == "CRYSTALS") value = 1;
     list.emplace_back("CHANNELS", plan.colour ? 3 : plan.dims ? 1 : 0);
     list.emplace_back("SOURCE", plan.anisotropic ? 2 : glows ? 1 : 0);
     list.emplace_back("EMISSION", plan.emits && (sharp || plan.anisotropic));
@@ -209,6 +213,15 @@ Rays::Rays(gpu::Device& device, const Plan& plan, const Params& params,
     mValues.medium =
         vec4(outside, params.cutoff, scene.index.backgroundDispersion, 1 / (outside * outside));
     setCamera(mValues, params.camera, scene);
+    const auto polariser = [&](const std::optional<double>& degrees) {
+        if (!degrees) return vec4(0);
+        const double angle = glm::radians(*degrees);
+        const dvec3 right = glm::normalize(dvec3(mValues.right)),
+                    up = glm::normalize(dvec3(mValues.up));
+        return vec4(glm::vec3(std::cos(angle) * right + std::sin(angle) * up), 1);
+    };
+    mValues.polarizer = polariser(params.polarizer);
+    mValues.backPolarizer = polariser(params.backPolarizer);
     mValues.background = camera::backgroundValues(params, map);
     const glm::dmat3 rows =
         glm::transpose(camera::mapFromFrame(params, scene.worldFromVoxelTurn()));

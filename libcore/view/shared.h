@@ -19,7 +19,7 @@ using glm::vec4;
 
 static_assert(sizeof(GroundParams) == 128 + 64 * 160);
 static_assert(sizeof(PlateParams) == 64);
-static_assert(sizeof(ViewParams) == 240);
+static_assert(sizeof(ViewParams) == 272);
 static_assert(sizeof(DomainParams) == 16 * (128 + 16) + 32);
 static_assert(sizeof(Departure) == 96);
 static_assert(sizeof(PixelPath) == 64);

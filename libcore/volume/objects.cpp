@@ -6,6 +6,8 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 namespace eikonal::volume {
@@ -18,6 +20,10 @@ constexpr const char* kOrder = "eikonal:order";
 constexpr const char* kRoughness = "eikonal:roughness";
 constexpr const char* kMetalIndex = "eikonal:metal_index";
 constexpr const char* kMetalExtinction = "eikonal:metal_extinction";
+constexpr const char* kAxis = "eikonal:axis";
+constexpr const char* kIndexE = "eikonal:ior_extraordinary";
+constexpr const char* kDispersionE = "eikonal:dispersion_extraordinary";
+constexpr const char* kAbsorptionE = "eikonal:absorption_extraordinary";
 
 /// An item of metadata of that type, or null where it is absent.
 template<typename Meta>
@@ -45,13 +51,22 @@ float roughnessOf(const openvdb::GridBase& grid, const std::string& where) {
     return roughness;
 }
 
+std::optional<glm::vec3> vectorOf(const openvdb::GridBase& grid, const char* key,
+                                  const std::string& where) {
+    const auto* item = itemOf<openvdb::Vec3SMetadata>(grid, key, "a vec3s", where);
+    return item ? std::optional(glm::vec3(item->value()[0], item->value()[1], item->value()[2]))
+                : std::nullopt;
+}
+
+std::optional<float> numberOf(const openvdb::GridBase& grid, const char* key,
+                              const std::string& where) {
+    const auto* item = itemOf<openvdb::FloatMetadata>(grid, key, "a float", where);
+    return item ? std::optional(item->value()) : std::nullopt;
+}
+
 std::optional<Metal> metalOf(const openvdb::GridBase& grid, const std::string& where) {
-    const auto vectorOf = [&](const char* key) {
-        const auto* item = itemOf<openvdb::Vec3SMetadata>(grid, key, "a vec3s", where);
-        return item ? std::optional(glm::vec3(item->value()[0], item->value()[1], item->value()[2]))
-                    : std::nullopt;
-    };
-    const auto index = vectorOf(kMetalIndex), extinction = vectorOf(kMetalExtinction);
+    const auto index = vectorOf(grid, kMetalIndex, where),
+               extinction = vectorOf(grid, kMetalExtinction, where);
     if (!index && !extinction) return {};
     if (!index || !extinction)
         throw DataError(where + ": it has one of " + kMetalIndex + " and " + kMetalExtinction +
@@ -65,7 +80,39 @@ std::optional<Metal> metalOf(const openvdb::GridBase& grid, const std::string& w
     return Metal{*index, *extinction};
 }
 
+/// An axis of length 0 says that there is none.
+std::optional<Crystal> crystalOf(const openvdb::GridBase& grid, const std::string& where) {
+    const auto axis = vectorOf(grid, kAxis, where);
+    const auto index = numberOf(grid, kIndexE, where);
+    const auto dispersion = numberOf(grid, kDispersionE, where);
+    const auto absorption = vectorOf(grid, kAbsorptionE, where);
+    if (!axis && !index && !dispersion && !absorption) return {};
+    if (!axis || !index || !dispersion || !absorption)
+        throw DataError(where + ": it has some of " + kAxis + ", " + kIndexE + ", " + kDispersionE +
+                        " and " + kAbsorptionE + ", expected all or none");
+    const float length = glm::length(*axis);
+    if (length == 0) return {};
+    if (!isAxis(*axis))
+        throw DataError(where + ": its " + kAxis + " has the length " + toText(length) +
+                        ", expected 1, or 0: none");
+    if (!(*index >= 1 && std::isfinite(*index)))
+        throw DataError(where + ": its " + kIndexE + " is " + toText(*index) +
+                        ", expected 1 or more");
+    if (!std::isfinite(*dispersion))
+        throw DataError(where + ": its " + kDispersionE + " is " + toText(*dispersion) +
+                        ", expected a finite number");
+    for (int c = 0; c < 3; ++c)
+        if (!((*absorption)[c] >= 0 && std::isfinite((*absorption)[c])))
+            throw DataError(where + ": its " + kAbsorptionE + " is " + toText((*absorption)[c]) +
+                            ", expected 0 or more");
+    return Crystal{*index, *dispersion, *axis / length, *absorption};
+}
+
 } // namespace
+
+bool isAxis(const glm::dvec3& axis) {
+    return std::abs(glm::length(axis) - 1) < 1e-3; // as people write 0.7071
+}
 
 bool isLevelSet(const std::string& grid) {
     return grid == "sdf" || grid.rfind("sdf.", 0) == 0;
@@ -82,20 +129,28 @@ ObjectFacts objectOf(const openvdb::GridBase& grid, const std::string& sdf, int 
     object.order = integerOf(grid, kOrder, position, where);
     object.roughness = roughnessOf(grid, where);
     object.metal = metalOf(grid, where);
+    object.crystal = crystalOf(grid, where);
     return object;
 }
 
 void describe(openvdb::GridBase& grid, const ObjectFacts& object) {
-    for (const char* key : {kName, kPriority, kOrder, kRoughness, kMetalIndex, kMetalExtinction})
+    for (const char* key : {kName, kPriority, kOrder, kRoughness, kMetalIndex, kMetalExtinction,
+                            kAxis, kIndexE, kDispersionE, kAbsorptionE})
         grid.removeMeta(key);
     grid.insertMeta(kName, openvdb::StringMetadata(object.name));
     grid.insertMeta(kPriority, openvdb::Int32Metadata(object.priority));
     grid.insertMeta(kOrder, openvdb::Int32Metadata(object.order));
     if (object.roughness > 0) grid.insertMeta(kRoughness, openvdb::FloatMetadata(object.roughness));
-    if (!object.metal) return;
     const auto put = [&](const char* key, const glm::vec3& v) {
         grid.insertMeta(key, openvdb::Vec3SMetadata(openvdb::Vec3s(v.x, v.y, v.z)));
     };
+    if (object.crystal) {
+        put(kAxis, object.crystal->axis);
+        grid.insertMeta(kIndexE, openvdb::FloatMetadata(object.crystal->index));
+        grid.insertMeta(kDispersionE, openvdb::FloatMetadata(object.crystal->dispersion));
+        put(kAbsorptionE, object.crystal->absorption);
+    }
+    if (!object.metal) return;
     put(kMetalIndex, object.metal->index);
     put(kMetalExtinction, object.metal->extinction);
 }

@@ -65,6 +65,15 @@ struct Metal {
     glm::vec3 index{1}, extinction{0};
 };
 
+/// A uniaxial crystal, whose n_o, Cauchy B and absorption of light polarised across the axis are
+/// the plain ones.
+struct Crystal {
+    float index = 1;         ///< n_e, for light polarised along the axis, at 587.6 nm [1]
+    float dispersion = 0;    ///< its Cauchy B [µm²]
+    glm::vec3 axis{0};       ///< world space, of length 1
+    glm::vec3 absorption{0}; ///< of light polarised along the axis [1/unit]
+};
+
 /// An object of a scene: the space where its level set is negative.
 struct ObjectFacts {
     std::string name;             ///< its own values are the grids ownGrid(GRID, name)
@@ -73,7 +82,11 @@ struct ObjectFacts {
     int order = 0;                ///< its place on the command line that made it, 0 first
     float roughness = 0;          ///< GGX's α of its boundary [1]
     std::optional<Metal> metal{}; ///< it mirrors all that it does not absorb
+    std::optional<Crystal> crystal{};
 };
+
+/// Whether a crystal's axis has the length 1, to a thousandth.
+bool isAxis(const glm::dvec3& axis);
 
 /// What surrounds all objects, where its values vary: `ior.medium` and its like. No object's name.
 constexpr const char* kMedium = "medium";

@@ -58,6 +58,11 @@ void checkMaterial(const Material& m, const ValueCheck& check) {
     check.rgb("albedo", m.albedo, "0 to 1", share);
     check.rgb("reflectance", m.reflectance, "0 or more", notNegative);
     check.one("roughness", m.roughness, "0 to 1", share);
+    if (!m.crystal) return;
+    check.one("ior-extraordinary", m.crystal->index, "1 or more", [](float x) { return x >= 1; });
+    check.one("dispersion-extraordinary", m.crystal->dispersion, "a number within a float's range",
+              [](float) { return true; });
+    check.rgb("absorption-extraordinary", m.crystal->absorption, "0 or more", notNegative);
 }
 
 void checkBounds(const mesh::Box& box) {

@@ -26,7 +26,8 @@ struct Material {
     glm::dvec3 albedo{0};      ///< diffuse reflectance of what is opaque [1]
     glm::dvec3 reflectance{1}; ///< tint of the mirror reflection at the boundary [1]
     double roughness = 0;      ///< GGX's α of the boundary, with sharp boundaries alone [1]
-    std::optional<volume::Metal> metal{}; ///< opaque, and a mirror; the same
+    std::optional<volume::Metal> metal{};     ///< opaque, and a mirror; the same
+    std::optional<volume::Crystal> crystal{}; ///< uniaxial, `ior` being n_o; the same
 };
 
 struct Object {

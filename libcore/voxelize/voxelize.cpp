@@ -114,7 +114,8 @@ void putDistances(volume::Volume& volume, const Params& params, const Plan& plan
                                   object.priority,
                                   static_cast<int>(k),
                                   static_cast<float>(object.material.roughness),
-                                  object.material.metal};
+                                  object.material.metal,
+                                  object.material.crystal};
         if (params.objects.size() > 1) facts.sdf = volume::ownGrid("sdf", object.name);
         volume.putLevelSet(facts, plan.box,
                            signedDistances(object.mesh, plan.lattice, params.sdfBand),

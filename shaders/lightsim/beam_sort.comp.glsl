@@ -10,9 +10,11 @@
 #include "shared/limits.h"
 #include "transport/status.glsl"
 
-#if !defined(CHANNELS) || !defined(CULLS)
-#error CHANNELS must be 1 or 3, CULLS 0 or 1
+#if !defined(CHANNELS) || !defined(CULLS) || !defined(CRYSTALS)
+#error CHANNELS must be 1 or 3, CULLS and CRYSTALS 0 or 1
 #endif
+const bool kCrystals = CRYSTALS == 1; // an interface has four ways, see beam_trace.comp.glsl
+const uint kWayBits = kCrystals ? 2u : 1u;
 const bool kCulls = CULLS == 1; // some surfaces receive nothing
 
 layout(local_size_x = 64) in;
@@ -116,11 +118,23 @@ bool isAimedAt(BeamNode node) {
     return any;
 }
 
+// What of a point's light an interface sends on, but as e-waves.
+float shareOn(BeamPoint point) {
+    float back = point.weight.w;
+    if (kCrystals) back += point.place.w + point.wave.w;
+    return 1.0 - back;
+}
+
+// The shares of e-waves, on and back.
+vec2 sharesOfE(BeamPoint point) {
+    return kCrystals ? vec2(point.place.w, point.wave.w) : vec2(0.0);
+}
+
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
     BeamNode node = nodes[item];
-    if (params.kind.y > 0u && (node.state.y >> (params.kind.x >> (params.kind.y - 1u) & 1u) & 1u) == 0u)
+    if (params.kind.y > 0u && (node.state.y >> (params.kind.x >> (kWayBits * (params.kind.y - 1u)) & ((1u << kWayBits) - 1u)) & 1u) == 0u)
         return; // it does not go that way
     bool single = node.state.x == 1u;
     BeamPoint middle = points[node.second.x];
@@ -134,7 +148,8 @@ void main() {
     vec3 high = low;
     vec3 corner[4];
     bool smoothly = true;
-    float on = brightest(middle.weight.xyz) * (1.0 - middle.weight.w);
+    float on = brightest(middle.weight.xyz) * shareOn(middle);
+    vec2 ofE = brightest(middle.weight.xyz) * sharesOfE(middle);
     float back = brightest(middle.weight.xyz) * middle.weight.w;
     int landed = status == kStopped && single ? 1 : 0;
     float share = brightest(middle.weight.xyz); // of the light, the largest of its points'
@@ -158,7 +173,8 @@ void main() {
         if (i == 6) corner[2] = point.place.xyz;
         if (i == 8) corner[3] = point.place.xyz;
         if (its == kStopped || its == kMeets) share = max(share, brightest(point.weight.xyz));
-        on = max(on, brightest(point.weight.xyz) * (1.0 - point.weight.w));
+        on = max(on, brightest(point.weight.xyz) * shareOn(point));
+        if (kCrystals) ofE = max(ofE, brightest(point.weight.xyz) * sharesOfE(point));
         back = max(back, brightest(point.weight.xyz) * point.weight.w);
     }
     float fine = float(params.size.w);
@@ -202,11 +218,14 @@ void main() {
     if (alone && status != kMeets && waiting > 0.0) head = points[waits];
     float least = params.limits.y / edge; // a small cell carries little: half the edge, twice the share
     if (alone) {
-        on = brightest(head.weight.xyz) * (1.0 - head.weight.w);
+        on = brightest(head.weight.xyz) * shareOn(head);
         back = brightest(head.weight.xyz) * head.weight.w;
+        if (kCrystals) ofE = brightest(head.weight.xyz) * sharesOfE(head);
     }
     uint follow = 0u;
     if (int(head.event.x) == kMeets) follow = (on >= least ? 1u : 0u) | (back >= least ? 2u : 0u);
+    if (kCrystals && int(head.event.x) == kMeets)
+        follow |= (ofE.x >= least ? 4u : 0u) | (ofE.y >= least ? 8u : 0u);
     for (int i = 0; i < 9; ++i) { // books
         if (single && i != 4) continue;
         BeamPoint point = points[pointOf(node, i)];
@@ -215,9 +234,13 @@ void main() {
         int its = int(point.event.x);
         int book = bookOf(its);
         if (book >= 0) enter(book, power);
-        if (its == kMeets)
-            enter(kBookDim, power * (((follow & 1u) == 0u ? 1.0 - point.weight.w : 0.0) +
-                                     ((follow & 2u) == 0u ? point.weight.w : 0.0)));
+        if (its == kMeets) {
+            float dropped = ((follow & 1u) == 0u ? shareOn(point) : 0.0) +
+                            ((follow & 2u) == 0u ? point.weight.w : 0.0);
+            if (kCrystals)
+                dropped += ((follow & 4u) == 0u ? point.place.w : 0.0) + ((follow & 8u) == 0u ? point.wave.w : 0.0);
+            enter(kBookDim, power * dropped);
+        }
         if (params.kind.y == 0u && its != kNone) enter(kBookEntered, power);
     }
     bool culled = kCulls && landed == 0 && status == kStopped;

@@ -1,7 +1,8 @@
 // Points of beams: a light's rays, each along one kind of path to the event that follows it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A kind of path is the list of ways taken at the interfaces met: 0 on, 1 back. A point of a kind goes on from
+// A kind of path is the list of ways taken at the interfaces met: 0 on, 1 back; in scenes with crystals two bits each, 2 and
+// 3 the same as an e-wave. A point of a kind goes on from
 // that of the kind before it, one interface short of it, where that is known, else it starts at the light.
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
@@ -37,7 +38,8 @@ struct Load {
     int taken;      // ways taken so far
     uint met;       // hash of what was met
     int object;     // of the boundary that it stopped at
-    float mirrored; // share that the interface there reflects
+    float mirrored; // share that the interface there reflects; in scenes with crystals, but as an e-wave,
+    vec2 extraordinary; // and the shares of e-waves on and back
     vec3 outward;   // normal of the surface it landed on
     vec3 clear;     // opaque voxels: the last point known to be outside them
 };
@@ -96,7 +98,7 @@ void onPiece(inout Path path, inout Load load, Piece piece) {
         load.outward = opaqueNormalAt(at);
     }
     if (kMedium) {
-        Extinction medium = extinctionOf(piece);
+        Extinction medium = extinctionOf(piece, path.mode);
         dim(path, medium.absorbed + medium.scattered, extent);
     }
 }
@@ -110,9 +112,71 @@ void onSurface(inout Path path, inout Load load, Interface at) {
     load.outward = -at.normal;
 }
 
+const int kWayBits = kCrystals ? 2 : 1;
+
+// The way taken at an interface by its number.
+uint wayAt(int number) {
+    return params.kind.x >> (kWayBits * number) & ((1u << kWayBits) - 1u);
+}
+
+uint wayOf(Interface at, Outgoing ray) {
+    vec3 direction = directionIn(regionOf(ray.objects), ray.mode, ray.w, 1.0);
+    return (dot(direction, at.normal) < 0.0 ? 1u : 0u) | (ray.mode == kExtraordinary ? 2u : 0u);
+}
+
+// A path's mode and polarisation in one word.
+int packedState(Path path) {
+    float degree = length(path.polarisation);
+    vec2 at = degree > 0.0 ? octahedralOf(path.polarisation / degree) : vec2(0.0);
+    uvec2 place = uvec2(round((0.5 + 0.5 * at) * 2047.0));
+    return int(uint(path.mode) | uint(round(min(degree, 1.0) * 255.0)) << 2u | place.x << 10u | place.y << 21u);
+}
+
+void unpackState(inout Path path, uint state) {
+    path.mode = int(state & 3u);
+    vec2 at = vec2(state >> 10u & 2047u, state >> 21u) / 2047.0;
+    path.polarisation = float(state >> 2u & 255u) / 255.0 * fromOctahedral(2.0 * at - 1.0);
+}
+
+// As onInterface(), where there are up to four ways.
+void onCrystal(inout Path path, inout Load load, Interface at, Outgoing outgoing[kMostOutgoing], int rays) {
+    bool waits = load.taken == int(params.kind.y);
+    uint wanted = waits ? 0u : wayAt(load.taken);
+    vec4 shares = vec4(0.0);
+    int taken = -1;
+    for (int i = 0; i < rays; ++i) {
+        uint way = wayOf(at, outgoing[i]);
+        shares[way] = outgoing[i].share;
+        if (way == wanted) taken = i;
+    }
+    if (waits) {
+        path.status = path.depth >= int(params.list.w) ? kDeep : kMeets;
+        load.object = at.object;
+        load.mirrored = shares.y;
+        load.extraordinary = shares.zw;
+        remember(load, at.object, at.there);
+        return;
+    }
+    ++load.taken;
+    ++path.depth;
+    remember(load, at.object + 256 * int(wanted), at.there);
+    if (taken < 0) path.status = kFaded; // there is no such way
+    Outgoing ray = outgoing[max(taken, 0)];
+    path.throughput *= ray.share * ray.tint;
+    path.ray.w = ray.w;
+    path.objects = ray.objects;
+    path.departs = ray.departs;
+    path.mode = ray.mode;
+    path.polarisation = ray.polarisation;
+}
+
 void onInterface(inout Path path, inout Load load, Interface at) {
     Outgoing outgoing[kMostOutgoing];
     int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
+    if (kCrystals) {
+        onCrystal(path, load, at, outgoing, rays);
+        return;
+    }
     if (load.taken == int(params.kind.y)) {
         path.status = path.depth >= int(params.list.w) ? kDeep : kMeets;
         load.object = at.object;
@@ -120,7 +184,7 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         remember(load, at.object, at.there);
         return;
     }
-    bool back = (params.kind.x >> load.taken & 1u) == 1u;
+    bool back = wayAt(load.taken) == 1u;
     ++load.taken;
     ++path.depth;
     remember(load, at.object, back ? -1 : at.there);
@@ -188,13 +252,14 @@ Path pathFromParent(uint id, inout Load load) {
     path.objects = ObjectSet(parent.event.w & 0xFFFFu);
     if (kMany) path.objects = parentObjects[id];
     path.depth = int(parent.event.w >> 16u);
+    if (kCrystals) unpackState(path, uint(parent.map.w));
     load.met = parent.event.y;
     load.taken = int(params.kind.y) - 1;
     int object = int(parent.event.z);
-    bool goes = parent.event.x == uint(kMeets) && (ways[id] >> (params.kind.x >> load.taken & 1u) & 1u) == 1u;
+    bool goes = parent.event.x == uint(kMeets) && (ways[id] >> wayAt(load.taken) & 1u) == 1u;
     if (goes && kObjects > 0) {
         Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
-        Interface at = interfaceAt(path.ray, path.objects, hit);
+        Interface at = interfaceAt(path, hit);
         scatterAndLand(path, load, at, isCoated(at));
     } else {
         path.status = kNone;
@@ -208,7 +273,7 @@ void main() {
     takeLine(0u);
     bool goesOn = params.kind.z == 1u;
     uint id = goesOn ? item : params.list.y + item;
-    Load load = Load(0, 1u, -1, 1.0, vec3(0.0), vec3(0.0));
+    Load load = Load(0, 1u, -1, 1.0, vec2(0.0), vec3(0.0), vec3(0.0));
     Path path;
     ivec2 map;
     if (goesOn) {
@@ -231,11 +296,13 @@ void main() {
     if (path.status == kAlive) path.status = kTrapped;
     if (load.taken < int(params.kind.y)) path.status = path.status == kTrapped ? kTrapped : kNone;
     BeamPoint point;
-    point.place = vec4(path.ray.x, 0.0);
-    point.wave = vec4(path.status == kStopped ? load.outward : path.ray.w, 0.0);
+    point.place = vec4(path.ray.x, kCrystals ? load.extraordinary.x : 0.0);
+    point.wave = vec4(path.status == kStopped ? load.outward : path.ray.w,
+                      kCrystals ? load.extraordinary.y : 0.0);
     point.weight = vec4(path.throughput, load.mirrored);
     point.event = uvec4(path.status, load.met, uint(load.object), firstBits(path.objects) | uint(path.depth) << 16u);
-    point.map = ivec4(map, packSnorm2x16(octahedralOf(path.ray.w)), 0);
+    point.map = ivec4(map, packSnorm2x16(octahedralOf(path.ray.w)),
+                      kCrystals ? packedState(path) : 0);
     points[id] = point;
     if (kMany) inObjects[id] = path.objects;
 }

@@ -35,6 +35,13 @@ void bounce(inout Path path, inout Load load) {
     ++load.bounces;
     vec3 direction = lambertAbout(load.outward, load.id, load.bounces, params.depth.y);
     path.ray.w = length(path.ray.w) * direction;
+    path.mode = kUnsplit;
+    path.polarisation = vec3(0.0);
+    int region = regionOf(path.objects);
+    if (isCrystal(region)) { // what is in contact with one: one of its waves, by chance
+        path.mode = (pcgHash(load.id + uint(load.bounces)) & 1u) == 0u ? kOrdinary : kExtraordinary;
+        path.ray.w = waveVector(uniaxialOf(region), path.mode, direction);
+    }
     path.departs = dot(direction, load.outward);
     if (kOpaqueVoxels) path.ray.x = freeOfVoxels(path.ray.x, load.outward, direction);
     path.status = kAlive;

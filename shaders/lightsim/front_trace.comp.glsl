@@ -79,7 +79,7 @@ void propagateToDomain(inout CornerPath corner, float until) {
 // A piece of the way dims the corner.
 void dim(inout CornerPath corner, vec3 start, vec3 direction, float extent, float n) {
     if (!kMedium) return;
-    Extinction medium = extinctionOf(pieceFrom(start, direction, extent, n, regionOf(corner.path.objects)));
+    Extinction medium = extinctionOf(pieceFrom(start, direction, extent, n, regionOf(corner.path.objects)), kUnsplit);
     vec3 absorbed = extent * medium.absorbed;
     vec3 scattered = extent * medium.scattered;
     corner.absorbed += absorbed;
@@ -285,7 +285,7 @@ FrontHit hitFrom(inout CornerPath corner) {
     hit.mirrored = vec4(0.0, 1.0, 1.0, 1.0);
     hit.after = uvec4(0u);
     if (kObjects > 0 && corner.path.status == kMeets) {
-        Interface at = interfaceAt(corner.path.ray, corner.path.objects, corner.ahead);
+        Interface at = interfaceAt(corner.path, corner.ahead);
         hit.after = uvec4(wordsOf(at.objects), 0u, 0u);
         if (kOpaqueObjects && at.here != at.there && isMatt(at.there)) {
             corner.path.status = kStopped;

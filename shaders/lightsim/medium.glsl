@@ -11,7 +11,7 @@ struct Extinction {
     vec3 scattered; // σ_s [1/voxel]
 };
 
-Extinction extinctionOf(Piece piece) {
+Extinction extinctionOf(Piece piece, int mode) {
     Extinction found = Extinction(vec3(0.0), vec3(0.0));
     if (kMedium && kObjects == 0) {
         vec3 at = coordinate(piece.middle);
@@ -19,7 +19,7 @@ Extinction extinctionOf(Piece piece) {
         found.absorbed = kColour ? a.xyz : vec3(a.x);
         found.scattered = kColour ? textureLod(scattering, at, 0.0).xyz : vec3(a.y);
     } else if (kMedium) {
-        Coefficients here = coefficientsAt(piece.region, piece.middle);
+        Coefficients here = coefficientsFor(mode, piece.region, piece.middle, piece.direction);
         found = Extinction(here.absorption, here.scattering);
     }
     return found;

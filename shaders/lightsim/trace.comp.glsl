@@ -25,6 +25,9 @@ layout(std140, binding = kParamsBlock) uniform Params { PhotonParams params; };
 layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; uint overflowed; };
 layout(std430, binding = kPhotonsBuffer) buffer Photons { Photon photons[]; };
 layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
+#if CRYSTALS == 1
+layout(std430, binding = kPolarisationsBuffer) buffer Polarisations { vec4 polarisations[]; }; // w: the mode
+#endif
 layout(std430, binding = kListBuffer) readonly buffer List { uint list[]; };
 layout(std430, binding = kNextListBuffer) writeonly buffer NextList { uint nextList[]; };
 #include "lightsim/medium.glsl"
@@ -90,7 +93,7 @@ void fade(inout Path path) {
 }
 
 void onPiece(inout Path path, inout Load load, Piece piece) {
-    Extinction medium = extinctionOf(piece);
+    Extinction medium = extinctionOf(piece, path.mode);
     float share = deposit(path, load, piece.start, piece.along, medium.absorbed, medium.scattered);
     if (kOpaqueVoxels && share < 1.0) {
         path.status = kStopped;
@@ -123,6 +126,18 @@ void chooseFacet(inout Interface at, uint id, int depth) {
     at.facetSeed = pcgHash(id + seed);
 }
 
+// One of several, by their shares.
+Outgoing chosen(inout Load load, Outgoing outgoing[kMostOutgoing], int rays, uint seed) {
+    float left = 1.0;
+    int taken = 0;
+    for (int i = rays - 1; i > 0 && taken == 0; --i) {
+        float share = min(outgoing[i].share / left, 1.0);
+        if (isWithin(load.chance, load.worth, share, seed + uint(i))) taken = i;
+        left = max(left - outgoing[i].share, 1.0e-6);
+    }
+    return outgoing[taken];
+}
+
 void onInterface(inout Path path, inout Load load, Interface at) {
     if (path.depth >= int(params.depth.x)) {
         path.status = kDeep;
@@ -133,7 +148,8 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
         Outgoing ray = outgoing[0];
         uint seed = load.id ^ pcgHash(params.depth.y + uint(path.depth));
-        if (rays > 1 && isWithin(load.chance, load.worth, outgoing[1].share, seed)) ray = outgoing[1];
+        if (kCrystals) ray = chosen(load, outgoing, rays, seed);
+        else if (rays > 1 && isWithin(load.chance, load.worth, outgoing[1].share, seed)) ray = outgoing[1];
         // A mirror's tint: what it does not send back it has absorbed.
         vec3 sent = path.throughput * ray.tint;
         load.absorbed += path.throughput - sent;
@@ -141,6 +157,8 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         path.ray.w = ray.w;
         path.objects = ray.objects;
         path.departs = ray.departs;
+        path.mode = ray.mode;
+        path.polarisation = ray.polarisation;
         fade(path);
     }
 }
@@ -163,6 +181,12 @@ Path pathOf(Photon photon, uint id) {
         path.depth = int(photon.count.w >> 16u);
         path.departs = photon.place.w;
     }
+#if CRYSTALS == 1
+    if (steps > 0u) { // what starts is unpolarised
+        path.mode = int(polarisations[id].w);
+        path.polarisation = polarisations[id].xyz;
+    }
+#endif
     path.steps = int(steps);
     path.error = photon.wave.w;
     // Cut open by the domain's face.
@@ -186,6 +210,9 @@ void keep(Path path, Load load) {
                          firstBits(path.objects) | uint(path.depth) << 16u);
     photons[load.id] = photon;
     if (kMany) inObjects[load.id] = path.objects;
+#if CRYSTALS == 1
+    polarisations[load.id] = vec4(path.polarisation, float(path.mode));
+#endif
     if (path.status == kAlive) nextList[atomicAdd(nextCount, 1u)] = load.id;
     if (load.fullest >= kNearFull) atomicOr(overflowed, 1u);
 }

@@ -26,13 +26,15 @@ struct PointLight {
 
 // Where a light's ray is at an event: on the opaque surface it landed on, at an interface, or gone.
 struct BeamPoint {
-    vec4 place;  // x [voxel]
-    vec4 wave;   // w = n dx/ds on arrival; of one that landed the outward normal
+    vec4 place;  // x [voxel]; w: in scenes with crystals the share that goes on as an e-wave
+    vec4 wave;   // w = n dx/ds on arrival; of one that landed the outward normal; w: the share that comes
+                 // back as an e-wave
     vec4 weight; // its power over that of its cell of the light's map, rgb or the first alone;
                  // w: the share that an interface reflects, 1: all of it
     uvec4 event; // x: its status, y: what it met on the way, z: the object of the boundary it is at,
                  // w: of few objects those it is in, and from bit 16 on the interfaces it has met
-    ivec4 map;   // xy: its place on the light's map [finest cell], z: the direction of w, octahedral
+    ivec4 map;   // xy: its place on the light's map [finest cell], z: the direction of w, octahedral;
+                 // w: in scenes with crystals its mode and polarisation
 };
 
 // A cell of the light's map, a beam where its nine points agree: three by three, row by row.

@@ -62,6 +62,7 @@ const int kPhotonsBuffer = 1;  // one per pixel of the photon map
 const int kListBuffer = 2;     // pixels whose photon goes on
 const int kNextListBuffer = 3; // those of the next launch
 const int kBricksBuffer = 4;   // where each brick of voxels lies in the atlases of sums
+const int kPolarisationsBuffer = 5; // in scenes with crystals: each photon's mode and polarisation
 const int kObjectsBuffer = 10; // of many objects: those that each photon is in
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]

@@ -11,6 +11,9 @@ struct RegionParams {
     vec4 reflectance; // rgb: tint of what its boundary mirrors; w: GGX's α of it
     vec4 metalIndex;      // rgb; w: 1 if it is metal
     vec4 metalExtinction; // rgb
+    vec4 axis;          // of a crystal: xyz, of length 1; w: n_e, while `index` has n_o; 0: it is none
+    vec4 extraordinary; // rgb: its absorption of light polarised along the axis, while `absorption` has that of
+                        // light across it [1/voxel]; w: Cauchy's B of n_e [µm²]
 };
 
 // Of many objects: the box of blocks of cells that an object's boundary or inside is in.

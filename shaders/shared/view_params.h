@@ -19,6 +19,8 @@ struct ViewParams {
     vec4 pattern; // xy: where in its pixel a ray goes; z: 1 for the first of its rays, whose path is
                   // written
     vec4 weight;  // rgb: the ray's share of its pixel's colour; w: of its coverage
+    vec4 polarizer;     // xyz: along E that the camera lets through, of length 1; w: 1 if it does so
+    vec4 backPolarizer; // the same of what surrounds the scene
     ivec4 ray;    // x: its number among its pixel's, y: how far the band's lines are shifted
 };
 

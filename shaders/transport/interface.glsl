@@ -14,6 +14,8 @@ struct Interface {
     int there;
     float n;       // their indices
     float beyond;
+    int mode;          // what arrives, as in a path
+    vec3 polarisation;
     ObjectSet objects; // those that hold the far side
     // What decides about a rough one, which the entry file may set: a place in [0, 1)² chooses the first facet,
     // a number all else.
@@ -28,8 +30,10 @@ struct Outgoing {
     vec3 tint;     // what is left of that share, rgb
     ObjectSet objects;
     float departs; // how steeply it leaves, the cosine with the normal
+    int mode;      // as in a path
+    vec3 polarisation;
 };
-const int kMostOutgoing = 2;
+const int kMostOutgoing = kCrystals ? 4 : 2;
 
 // The objects that hold the far side of a boundary met at x by a ray along w; `normal` is there.
 // Objects that touch there are one boundary: a ray that is about to go through that of another one has
@@ -49,14 +53,17 @@ ObjectSet objectsBeyond(ObjectSet objects, int object, vec3 x, vec3 w, vec3 norm
     return after;
 }
 
-Interface interfaceAt(Ray ray, ObjectSet objects, Hit hit) {
+Interface interfaceAt(Path path, Hit hit) {
     vec3 normal = hit.gradient / max(length(hit.gradient), 1.0e-20);
-    if (dot(ray.w, normal) < 0.0) normal = -normal;
-    ObjectSet after = objectsBeyond(objects, hit.object, ray.x, ray.w, normal);
-    int here = regionOf(objects);
+    vec3 x = path.ray.x;
+    vec3 along = path.ray.w;
+    int here = regionOf(path.objects);
+    if (isCrystal(here)) along = directionIn(here, path.mode, along, 1.0);
+    if (dot(along, normal) < 0.0) normal = -normal;
+    ObjectSet after = objectsBeyond(path.objects, hit.object, x, along, normal);
     int there = regionOf(after);
-    return Interface(ray.x, normal, hit.object, here, there, indexOf(here, ray.x),
-                     indexOf(there, ray.x), after, vec2(0.5), 0u);
+    return Interface(x, normal, hit.object, here, there, indexOf(here, x), indexOf(there, x), path.mode,
+                     path.polarisation, after, vec2(0.5), 0u);
 }
 
 // Whether a matt object has a coat there.
@@ -66,6 +73,7 @@ bool isCoated(Interface at) {
 
 // Whether light goes on as if there were nothing.
 bool isNothing(Interface at) {
+    if (isCrystal(at.here) || isCrystal(at.there)) return at.here == at.there;
     return at.here == at.there || (at.n == at.beyond && !isMetal(at.there));
 }
 
@@ -83,7 +91,7 @@ Outgoing outgoingFrom(Interface at, mat3 frame, Facing ray, float share, vec3 ti
     vec3 w = frame * (ray.w * (n / length(ray.w)));
     ObjectSet holds = objects;
     if (ray.beyond) holds = at.objects;
-    return Outgoing(w, share, tint * ray.tint, holds, abs(ray.w.z) / length(ray.w));
+    return Outgoing(w, share, tint * ray.tint, holds, abs(ray.w.z) / length(ray.w), kUnsplit, vec3(0.0));
 }
 
 // Rays beyond and back from a rough interface; but that further facets may turn each.
@@ -124,15 +132,21 @@ int scatterMetal(Interface at, vec3 w, ObjectSet objects, float alpha, out Outgo
     } else {
         float cosine = min(across / at.n, 1.0);
         outgoing[0] = Outgoing(w - 2.0 * across * at.normal, 1.0,
-                               mirrors * conductorReflectance(cosine, index, extinction), objects, cosine);
+                               mirrors * conductorReflectance(cosine, index, extinction), objects, cosine,
+                               kUnsplit, vec3(0.0));
     }
     outgoing[1] = outgoing[0];
     return 1;
 }
 
+#include "transport/crystal.glsl"
+
 // The rays into which one that arrives within `objects` parts: what is refracted first, if anything is.
 // Returns how many.
 int scatterAt(Interface at, vec3 arriving, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
+#if CRYSTALS == 1
+    return scatterPolarised(at, arriving, objects, outgoing);
+#endif
     vec3 w = arriving * (at.n / length(arriving));
     if (kMetals || kRoughBoundaries) {
         float alpha = scene.regions[at.object].reflectance.w;
@@ -142,12 +156,12 @@ int scatterAt(Interface at, vec3 arriving, ObjectSet objects, out Outgoing outgo
     Dielectric made = dielectricAt(w, at.normal, at.n, at.beyond);
     Outgoing reflected =
         Outgoing(made.reflected, made.reflectance, scene.regions[at.object].reflectance.xyz, objects,
-                 abs(dot(at.normal, made.reflected)) / at.n);
+                 abs(dot(at.normal, made.reflected)) / at.n, kUnsplit, vec3(0.0));
     bool total = made.reflectance == 1.0;
     outgoing[1] = reflected;
     outgoing[0] = reflected;
     if (!total)
         outgoing[0] = Outgoing(made.refracted, 1.0 - made.reflectance, vec3(1.0), at.objects,
-                               abs(dot(at.normal, made.refracted)) / at.beyond);
+                               abs(dot(at.normal, made.refracted)) / at.beyond, kUnsplit, vec3(0.0));
     return total ? 1 : 2;
 }

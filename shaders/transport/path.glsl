@@ -1,5 +1,6 @@
 // A path of light: where it is, what it is in, what has become of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "lib/crystal.glsl"
 #include "lib/ray.glsl"
 #include "transport/object_set.glsl"
 #include "transport/status.glsl"
@@ -10,6 +11,9 @@ struct Path {
     vec3 throughput;  // what is left of its light, or the share of what it meets that the eye sees
     ObjectSet objects; // those it is in, a bit each
     int depth;        // interfaces met
+    int mode;          // lib/crystal.glsl: the wave that it is in a crystal; kUnsplit elsewhere,
+    vec3 polarisation; // where E is along this vector, as long as the root of the degree. Of both waves together
+                       // Stokes' (s1, s2, s3) over s0, by the o-wave's E and the e-wave's
     float departs;    // how steeply it leaves the interface it starts on; 0: on none
     int status;
     int steps;        // so far: of the index field, pieces of straight way, looks for boundaries
@@ -19,8 +23,8 @@ struct Path {
 };
 
 Path pathFrom(vec3 x, vec3 w, int mostSteps) {
-    return Path(Ray(x, w), Ray(vec3(0.0), vec3(0.0)), vec3(1.0), ObjectSet(0u), 0, 0.0, kAlive, 0, mostSteps,
-                0.0, dvec2(0.0));
+    return Path(Ray(x, w), Ray(vec3(0.0), vec3(0.0)), vec3(1.0), ObjectSet(0u), 0, kUnsplit, vec3(0.0), 0.0,
+                kAlive, 0, mostSteps, 0.0, dvec2(0.0));
 }
 
 // A piece of a path, short enough for one look at the medium.

@@ -8,18 +8,21 @@
 //
 // Coefficients are a region's own: no look-up mixes them with those beyond its boundary. Most are one
 // number for all of it, and cost no look-up.
+#include "lib/crystal.glsl"
 #include "transport/domain.glsl"
 #include "transport/index_field.glsl"
 #include "transport/level_set.glsl"
 
-#if !defined(VARIES) || !defined(OPAQUE) || !defined(METALS) || !defined(ROUGH) || !defined(COATS)
-#error VARIES, OPAQUE, METALS, ROUGH and COATS must be 0 or 1
+#if !defined(VARIES) || !defined(OPAQUE) || !defined(METALS) || !defined(ROUGH) || !defined(COATS) || \
+    !defined(CRYSTALS)
+#error VARIES, OPAQUE, METALS, ROUGH, COATS and CRYSTALS must be 0 or 1
 #endif
 const bool kVaries = VARIES == 1; // some object's coefficients vary within it
 const bool kOpaqueObjects = OPAQUE == 1 && kObjects > 0; // some object is opaque
 const bool kMetals = METALS == 1; // some object is metal
 const bool kRoughBoundaries = ROUGH == 1;   // some object's boundary is rough
 const bool kCoats = COATS == 1;   // some matt object's index is above that of what surrounds it
+const bool kCrystals = CRYSTALS == 1; // some object is a uniaxial crystal
 const bool kOpaqueVoxels = OPAQUE == 1 && kObjects == 0; // blurred: opaque material ends paths
 // A page of voxels along z for each region that varies.
 layout(binding = kAbsorptionsUnit) uniform sampler3D absorptions; // [1/voxel], g
@@ -97,6 +100,36 @@ float indexOf(int region, vec3 x) {
     return dispersed(scene.regions[region].index.x, scene.regions[region].index.w);
 }
 
+bool isCrystal(int region) {
+    return kCrystals && kObjects > 0 && scene.regions[region].axis.w > 0.0;
+}
+
+Uniaxial uniaxialOf(int region) {
+    vec4 axis = scene.regions[region].axis;
+    return Uniaxial(dispersed(scene.regions[region].index.x, scene.regions[region].index.w),
+                    dispersed(axis.w, scene.regions[region].extraordinary.w), axis.xyz);
+}
+
+// Whether both waves of a crystal go as one, along the o-wave's way: they part by less than 0.01 rad.
+bool goesTogether(int region) {
+    const float kWeak = 0.01;
+    RegionParams here = scene.regions[region];
+    return transport.tolerance.z > 0.0 && abs(here.axis.w - here.index.x) <= kWeak &&
+           here.extraordinary.xyz == here.absorption.xyz;
+}
+
+// The phase that the o-wave gains on the e-wave along a straight way.
+float phaseAlong(int region, vec3 direction, float extent) {
+    float c = dot(direction, scene.regions[region].axis.xyz);
+    return transport.tolerance.z * extent * indexDifference(uniaxialOf(region), c) / wavelength();
+}
+
+// Where light of wave vector w goes in a region of index n, of length 1.
+vec3 directionIn(int region, int mode, vec3 w, float n) {
+    if (isCrystal(region)) return rayDirection(uniaxialOf(region), mode, w);
+    return w / n; // devices' roots are not as exact
+}
+
 bool coefficientsVaryIn(int region) {
     return kObjects == 0 || (kVaries && scene.regions[region].absorption.w >= 0.0);
 }
@@ -112,5 +145,15 @@ Coefficients coefficientsAt(int region, vec3 x) {
         found = Coefficients(max(absorption.xyz, vec3(0.0)), textureLod(scatterings, at, 0.0).xyz,
                              absorption.w, textureLod(emissions, at, 0.0).xyz);
     }
+    return found;
+}
+
+// The same of light of a mode along a direction.
+Coefficients coefficientsFor(int mode, int region, vec3 x, vec3 direction) {
+    Coefficients found = coefficientsAt(region, x);
+    if (isCrystal(region) && mode == kExtraordinary)
+        found.absorption =
+            extraordinaryLoss(uniaxialOf(region), dot(direction, scene.regions[region].axis.xyz),
+                              found.absorption, scene.regions[region].extraordinary.xyz);
     return found;
 }

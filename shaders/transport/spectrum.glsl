@@ -25,6 +25,15 @@ vec3 takeLine(uint number) {
 #endif
 }
 
+// [µm]
+float wavelength() {
+#if DISPERSION == 1
+    return inversesqrt(cauchyTerm + 1.0 / (0.5876 * 0.5876));
+#else
+    return 0.5876;
+#endif
+}
+
 // What follows the wavelength: a value at 587.6 nm, and its Cauchy B [µm²].
 float dispersed(float value, float slope) {
 #if DISPERSION == 1

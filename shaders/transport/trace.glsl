@@ -63,7 +63,7 @@ void along(inout Path path, inout Load load, int region, vec3 direction, float e
 // To the next interface or face through an index that does not vary.
 Hit propagateStraight(inout Path path, inout Load load, int region) {
     float n = indexOf(region, path.ray.x);
-    vec3 direction = path.ray.w / n; // devices' roots are not as exact
+    vec3 direction = directionIn(region, path.mode, path.ray.w, n);
     Hit hit = noHit(timeToFace(path.ray.x, direction));
     if (kObjects > 0)
         hit = intersectStraight(path.ray.x, direction, hit.s, path.objects, path.departs);
@@ -77,9 +77,16 @@ Hit propagateStraight(inout Path path, inout Load load, int region) {
         hit.object = -1;
     }
     path.departs = 0.0;
+    if (isCrystal(region) && path.mode == kTogether) {
+        float phase = phaseAlong(region, direction, length(path.ray.x - start));
+        vec2 turn = vec2(cos(phase), sin(phase));
+        path.polarisation.yz = complexProduct(path.polarisation.yz, turn);
+    }
     if (kMeasures) {
         double extent = length(dvec3(path.ray.x) - dvec3(start));
-        path.lengths += dvec2(double(n) * extent, extent);
+        double index = double(n);
+        if (isCrystal(region)) index = double(dot(path.ray.w, direction));
+        path.lengths += dvec2(index * extent, extent);
     }
     return hit;
 }
@@ -304,7 +311,7 @@ void scatterAndLand(inout Path path, inout Load load, Interface at, bool coated)
 
 // Over an interface. A coat is an interface like others, but that what goes through it ends at once on its base.
 void cross(inout Path path, inout Load load, Hit hit) {
-    Interface at = interfaceAt(path.ray, path.objects, hit);
+    Interface at = interfaceAt(path, hit);
     bool ends = kOpaqueObjects && at.here != at.there && isMatt(at.there);
     if (ends && !isCoated(at)) {
         path.status = kStopped;

@@ -8,9 +8,19 @@ Load loadFrom(CameraRay camera, Path path) {
                 camera.start, camera.start, camera.start);
 }
 
+// A path from the camera, of what its polariser lets through.
+Path pathFromCamera(CameraRay camera) {
+    Path path = pathFrom(camera.start, camera.direction, params.limits.x);
+    if (kCrystals && params.polarizer.w == 1.0) {
+        path.polarisation = acrossRay(params.polarizer.xyz, camera.direction);
+        path.throughput = vec3(0.5);
+    }
+    return path;
+}
+
 // A path into the domain, at the camera's start of it. `n` is the index at the eye, if that is within.
 Path enter(CameraRay camera, inout Load load, inout float n) {
-    Path path = pathFrom(camera.start, camera.direction, params.limits.x);
+    Path path = pathFromCamera(camera);
     path.objects = objectsAt(camera.start, camera.direction, camera.within);
     int region = regionOf(path.objects);
     float entry = indexOf(region, camera.start);
@@ -55,7 +65,7 @@ CameraRay begin(ivec2 pixel, int rested, bool resumes, out Path path, out Load l
         camera.start = camera.eye;
     }
     n = outsideIndex(); // at the eye
-    path = pathFrom(camera.start, camera.direction, params.limits.x);
+    path = pathFromCamera(camera);
     load = loadFrom(camera, path);
     bool elsewhere = false; // it meets another domain first
 #if DOMAINS == 1

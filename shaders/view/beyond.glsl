@@ -27,6 +27,19 @@ bool goesOn(Path path, Load load, vec3 direction) {
 #endif
 }
 
+// E of light along a direction behind a polariser that lets `along` through, of length 1.
+vec3 acrossRay(vec3 along, vec3 direction) {
+    vec3 across = along - dot(along, direction) * direction;
+    return across / max(length(across), 1.0e-6);
+}
+
+// The share of unpolarised light from around the scene that its polariser leaves, as the path takes it.
+float polarisedShare(Path path, vec3 direction) {
+    if (params.backPolarizer.w == 0.0) return 1.0;
+    float along = dot(path.polarisation, acrossRay(params.backPolarizer.xyz, direction));
+    return 0.5 * (1.0 - dot(path.polarisation, path.polarisation)) + along * along;
+}
+
 // What is straight ahead of a path beyond the domain. On the ground it ends, as on any opaque surface.
 void seeBeyond(inout Path path, inout Load load, vec3 direction) {
     float way = kGround ? wayToGround(path.ray.x, direction) : -1.0;
@@ -34,6 +47,7 @@ void seeBeyond(inout Path path, inout Load load, vec3 direction) {
     vec3 seen = vec3(0.0);
     if (kPlate && plateWay >= 0.0 && !(way >= 0.0 && way < plateWay)) {
         seen = plateLight(path.ray.x + plateWay * direction);
+        if (kCrystals) seen *= polarisedShare(path, direction);
     } else if (kGround && way >= 0.0) {
         seen = groundLight(path.ray.x, direction, way);
         if (load.first) load.outward = isAbove(path.ray.x) ? ground.plane.xyz : -ground.plane.xyz;
@@ -41,6 +55,7 @@ void seeBeyond(inout Path path, inout Load load, vec3 direction) {
         path.status = kStopped;
     } else {
         seen = backgroundLight(direction);
+        if (kCrystals) seen *= polarisedShare(path, direction);
     }
     load.sky += path.throughput * seen * outsideWeight();
 }

@@ -17,11 +17,19 @@ void follow(inout Path path, Branch branch) {
     path.objects = branch.objects;
     path.depth = branch.depth;
     path.departs = branch.departs;
+#if CRYSTALS == 1
+    path.mode = branch.mode;
+    path.polarisation = branch.polarisation;
+#endif
 }
 
 Branch branchOf(Path path, vec3 x, Outgoing ray) {
     return Branch(Ray(x, ray.w), path.throughput * ray.share * ray.tint, ray.objects, path.depth + 1,
-                  ray.departs);
+                  ray.departs
+#if CRYSTALS == 1
+                  , ray.mode, ray.polarisation
+#endif
+    );
 }
 
 bool isBrighter(Branch branch, float least) {
@@ -37,6 +45,17 @@ void chooseFacet(inout Interface at, int depth, int met) {
     at.facetSeed = pcgHash(pixel + uint(params.ray.x));
 }
 
+// A reflection too dim to follow is not lost: what goes on first takes its light along. Dropped, it would add up to
+// darkness where there are many boundaries.
+void letWait(Path path, inout Load load, inout Branch next, Branch other) {
+    if (isBrighter(other, params.medium.y) && waitingCount < WAITING) waiting[waitingCount++] = other;
+    else {
+        vec3 both = next.throughput + other.throughput;
+        if (kAovs && load.first) load.along *= both / max(next.throughput, vec3(1.0e-30));
+        next.throughput = both;
+    }
+}
+
 void onInterface(inout Path path, inout Load load, Interface at) {
     ++load.interfaces;
     if (kRoughBoundaries) chooseFacet(at, path.depth, load.interfaces);
@@ -48,17 +67,9 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         int rays = scatterAt(at, path.ray.w, path.objects, outgoing);
         // By a constant place, not in a loop: what is read at a variable one lives in memory.
         Branch next = branchOf(path, at.x, outgoing[0]);
-        if (rays > 1) {
-            // A reflection too dim to follow is not lost: what goes through takes its light along.
-            // Dropped, it would add up to darkness where there are many boundaries.
-            Branch mirrored = branchOf(path, at.x, outgoing[1]);
-            if (isBrighter(mirrored, params.medium.y) && waitingCount < WAITING) waiting[waitingCount++] = mirrored;
-            else {
-                vec3 both = next.throughput + mirrored.throughput;
-                if (kAovs && load.first) load.along *= both / max(next.throughput, vec3(1.0e-30));
-                next.throughput = both;
-            }
-        }
+        if (kCrystals) // the last first, so that what goes on is taken up before what comes back
+            for (int i = rays - 1; i > 1; --i) letWait(path, load, next, branchOf(path, at.x, outgoing[i]));
+        if (rays > 1) letWait(path, load, next, branchOf(path, at.x, outgoing[1]));
         if (!isBrighter(next, params.medium.y * params.medium.y)) { // dimmed by what it went through
             load.dim += meanOf(next.throughput);
             path.status = kFaded;

@@ -41,8 +41,8 @@ Medium blurredMediumAt(vec3 at, vec3 direction) {
 }
 
 // Within sharp boundaries each region knows its coefficients.
-Medium regionMediumAt(int region, vec3 x, vec3 direction) {
-    Coefficients here = coefficientsAt(region, x);
+Medium regionMediumAt(int mode, int region, vec3 x, vec3 direction) {
+    Coefficients here = coefficientsFor(mode, region, x, direction);
     Medium medium = Medium(here.absorption + here.scattering, kEmission ? here.emission : vec3(0.0));
     if (kGlows) {
         vec3 at = coordinate(x);
@@ -58,7 +58,7 @@ void gather(inout Path path, inout Load load, vec3 middle, vec3 direction, float
             int region) {
     Medium medium = Medium(vec3(0.0), vec3(0.0));
     if (kObjects == 0) medium = blurredMediumAt(coordinate(middle), direction);
-    else medium = regionMediumAt(region, middle, direction);
+    else medium = regionMediumAt(path.mode, region, middle, direction);
     float scale = extent / (n * n);
     if (!kDims) {
         load.light += path.throughput * medium.source * scale;

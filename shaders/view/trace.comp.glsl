@@ -86,6 +86,10 @@ struct Branch {
     ObjectSet objects;
     int depth;
     float departs;
+#if CRYSTALS == 1
+    int mode;
+    vec3 polarisation;
+#endif
 };
 Branch waiting[WAITING];
 int waitingCount = 0;

@@ -105,6 +105,15 @@ std::vector<Published> published() {
                  {-4.5042e-5, -8}}),
          420, 0.00038},
         {"diamond", sellmeierAt({{0.3306, 0.1750}, {4.3356, 0.1060}}), 400, 0.0017},
+        {"calcite", sellmeier({{0.73358749, 0}, {0.96464345, 1.94325203e-2}, {1.82831454, 120}}),
+         400, 0.00038},
+        {"quartz", sellmeier({{0.28604141, 0}, {1.07044083, 1.00585997e-2}, {1.10202242, 100}}),
+         400, 0.00027},
+        {"rutile",
+         [](double wavelength) {
+             return std::sqrt(5.913 + 0.2441 / (wavelength * wavelength - 0.0803));
+         },
+         450, 0.0234},
         {"sapphire",
          sellmeierAt({{1.4313493, 0.0726631}, {0.65054713, 0.1193242}, {5.3414021, 18.028251}}),
          400, 0.00032},
@@ -193,6 +202,28 @@ TEST(Materials, IndexAndDispersionAreThoseOfTheFormula) {
         EXPECT_NEAR(indexOf(m, kF) - indexOf(m, kC), source.index(kF) - source.index(kC), 1e-5)
             << source.name;
     }
+}
+
+TEST(Materials, ExtraordinaryIndicesAreThoseOfTheFormula) {
+    const std::vector<std::pair<std::string, Formula>> formulas{
+        {"calcite", sellmeier({{0.35859695, 0}, {0.82427830, 1.06689543e-2}, {0.14429128, 120}})},
+        {"quartz", sellmeier({{0.28851804, 0}, {1.09509924, 1.02101864e-2}, {1.15662475, 100}})},
+        {"rutile", [](double l) { return std::sqrt(7.197 + 0.3322 / (l * l - 0.0843)); }},
+        {"sapphire",
+         sellmeierAt({{1.5039759, 0.0740288}, {0.55069141, 0.1216529}, {6.5927379, 20.072248}})}};
+    for (const auto& [name, index] : formulas) {
+        NamedMaterial m = named(name);
+        ASSERT_TRUE(m.extraordinary) << name;
+        m.ior = m.extraordinary->ior;
+        m.dispersion = m.extraordinary->dispersion;
+        EXPECT_NEAR(m.ior, index(kD), 1e-5) << name;
+        EXPECT_NEAR(indexOf(m, kF) - indexOf(m, kC), index(kF) - index(kC), 1e-5) << name;
+    }
+    // By tables alone: Dorsey's differences of ice, gemmology's of tourmaline.
+    EXPECT_NEAR(named("ice").extraordinary->ior - named("ice").ior, 0.0014, 1e-6);
+    EXPECT_NEAR(named("tourmaline").ior - named("tourmaline").extraordinary->ior, 0.020, 1e-6);
+    const double betweenBAndG = 1 / (0.4308 * 0.4308) - 1 / (0.6867 * 0.6867);
+    EXPECT_NEAR(named("tourmaline").dispersion * betweenBAndG, 0.017, 1e-5);
 }
 
 TEST(Materials, CauchysLawIsOffByNoMoreThanIsSaid) {

@@ -43,6 +43,7 @@ namespace { // the library knows no `inline`
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "lib/attenuation.glsl"
 #include "lib/box.glsl"
+#include "lib/crystal.glsl"
 #include "lib/dip.glsl"
 #include "lib/latlong.glsl"
 #include "lib/microfacet.glsl" // and what it includes: fresnel, random

@@ -363,6 +363,25 @@ test_some_have_a_material() {
     says "--medium-abbe"
 }
 
+test_crystals() {
+    command -v vdb_print >/dev/null || return 0
+    makes crystal.vdb box.obj --resolution 21 --padding 3 --material calcite --axis 0,0.6,0.8 \
+        --absorption 1 --absorption-extraordinary 2,3,4
+    vdb_print -m crystal.vdb >printed
+    grep -q "eikonal:axis: \[0, 0.6, 0.8\]" printed || fail "no axis"
+    grep -q "eikonal:ior_extraordinary: 1.48618" printed || fail "no n_e"
+    grep -q "eikonal:dispersion_extraordinary: 0.003216" printed || fail "no dispersion of n_e"
+    grep -q "eikonal:absorption_extraordinary: \[2, 3, 4\]" printed || fail "no absorption of e-rays"
+    makes plain.vdb box.obj $small --ior-extraordinary 1.6 --axis 0,0,0
+    vdb_print -m plain.vdb | grep -q "eikonal:axis" && fail "an axis of 0 is one"
+    for bad in "--axis 0,0,2 --ior-extraordinary 1.6" "--axis 0,0,1" "--ior-extraordinary 1.6" \
+        "--axis 0,0,1 --ior-extraordinary 0.9" "--axis 0,0,1 --ior-extraordinary 1.6 --boundary blurred" \
+        "--axis 0,0,1 --ior-extraordinary 1.6 --absorption-extraordinary -1"; do
+        refuses 64 box.obj -o out.vdb --ior 1.5 $bad
+        says "--axis\|--ior-extraordinary\|--absorption-extraordinary"
+    done
+}
+
 test_metal_and_roughness() {
     local size="--resolution 21 --padding 3"
     makes metal.vdb box.obj far.obj $size --metal Gold --metal none --ior none --ior 1.5 \

@@ -21,6 +21,11 @@ materialFacts(const Options& o, const std::vector<Source>& sources,
         if (m.absorption != glm::dvec3(0))
             text += ", absorption " + toText(m.absorption.x) + "," + toText(m.absorption.y) + "," +
                     toText(m.absorption.z);
+        if (m.crystal)
+            text += ", ior of e-rays " + toText(m.crystal->index) + ", dispersion " +
+                    toText(m.crystal->dispersion);
+        else if (named->extraordinary)
+            text += ", as o-rays have it: no --axis";
         facts.emplace_back("material " + of, text);
     };
     for (size_t k = 0; k < sources.size(); ++k) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/input_file.h"
+#include "mesh2vol/crystals.h"
 #include "mesh2vol/options.h"
 #include "mesh2vol/scene_files.h"
 
@@ -115,6 +116,7 @@ inline voxelize::Object objectOf(const ObjectValues& values,
     values.rgb("--albedo", m.albedo);
     values.rgb("--reflectance", m.reflectance);
     values.number("--roughness", m.roughness);
+    m.crystal = crystalOf(values, m);
     if (const optics::NamedMetal* metal = values.metal()) {
         m.metal = volume::Metal{metal->index, metal->extinction};
         m.opacity = 1;
@@ -168,8 +170,11 @@ inline voxelize::Params paramsOf(const Options& o, const std::vector<Source>& so
         params.objects.back().name = nameOf(o, sources[k], place);
     }
     for (const voxelize::Object& object : params.objects)
-        if (!params.sharp && (object.material.metal || object.material.roughness > 0))
-            throw UsageError(std::string(object.material.metal ? "--metal" : "--roughness") +
+        if (!params.sharp &&
+            (object.material.metal || object.material.roughness > 0 || object.material.crystal))
+            throw UsageError(std::string(object.material.metal     ? "--metal"
+                                         : object.material.crystal ? "--axis"
+                                                                   : "--roughness") +
                              ": given with --boundary blurred, which knows no surfaces; expected "
                              "sharp ones");
     params.check();

@@ -71,6 +71,15 @@ inline void addObjectOptions(CLI::App& app, Options& o) {
                "tint of the mirror reflection, or one number (default 1)");
     addPerMesh(app, o, "--roughness", "A",
                "of the boundary: GGX's alpha, 0 (smooth, the default) to 1");
+    addPerMesh(app, o, "--ior-extraordinary", "N",
+               "of a uniaxial crystal, by --axis: n_e, while --ior is n_o");
+    addPerMesh(app, o, "--axis", "X,Y,Z",
+               "a crystal's optic axis, of length 1; 0,0,0: as if it were isotropic, by n_o");
+    addPerMesh(app, o, "--absorption-extraordinary", "R,G,B",
+               "of its light polarised along the axis, or one number [1/unit] (default as "
+               "--absorption, which is of light across it)");
+    addPerMesh(app, o, "--dispersion-extraordinary", "B",
+               "Cauchy B of n_e [µm²] (default that of n_o)");
     addPerMesh(app, o, "--metal", "NAME",
                "an opaque mirror: " + join(optics::metalNames(), ", ") + "; it needs no --ior");
     addPerMesh(app, o, "--priority", "INT",

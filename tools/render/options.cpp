@@ -128,6 +128,23 @@ void addOptions(tool::Session& session, Options& o) {
                    "its height [unit]; without, it covers the view")
         ->type_name("H")
         ->group("Background");
+    const auto addPolarizer = [&](const char* option, std::optional<double>& angle,
+                                  const std::string& before) {
+        app.add_option(option, angle,
+                       "a linear polariser before " + before +
+                           ", by the angle of E that it lets through, from the picture's right "
+                           "towards its up [degree]")
+            ->type_name("DEG")
+            ->group("Polarisers");
+    };
+    addPolarizer("--polarizer", p.polarizer, "the camera");
+    addPolarizer("--back-polarizer", p.backPolarizer,
+                 "--env, --background and a picture of --plate");
+    app.add_option("--unit", p.unit,
+                   "metres in a unit of the scene: then the waves of crystals whose indices differ "
+                   "by no more than 0.01 keep their phases, and interfere")
+        ->type_name("METRES")
+        ->group("Polarisers");
     auto* environment =
         app.add_option("--env", o.environment,
                        "lat-long environment map, EXR or another format; of an EXR a layer or part")
@@ -259,7 +276,7 @@ void refuseOptionsFor(const CLI::App& app, const std::string& method) {
                              wanted);
         };
         if ((group == "Tracing" && !branches) || group == "Grid names" || group == "Places" ||
-            name == "--light")
+            group == "Polarisers" || name == "--light")
             refuse("it with --method trace");
         if (branches && !(layered || method == "rays"))
             refuse("it with --method trace or rays, or with --layers");

@@ -1,0 +1,87 @@
+// What boundaries do to light in scenes with crystals: polarised light, two waves on each side.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Included where the structs of transport/interface.glsl are declared. A path in a crystal is one of its waves; how
+// the phases of two that come of one go together is not kept, but where a crystal is weak and lengths are known:
+// there both are one path. In an isotropic medium it has what linear polarisation
+// it was given; what is circular counts as unpolarised. Scenes with crystals have no metals and no rough boundaries.
+
+#if CRYSTALS == 1
+// Across k, in the plane of incidence: E of the wave that lib/crystal.glsl calls "o" in an isotropic medium.
+vec3 inPlane(float q, float kz, float n) {
+    return vec3(-kz, 0.0, q) / n;
+}
+
+Uniaxial uniaxialIn(mat3 frame, int region, float n) {
+    Uniaxial found = Uniaxial(n, n, vec3(0.0, 1.0, 0.0));
+    if (isCrystal(region)) {
+        found = uniaxialOf(region);
+        found.axis = found.axis * frame;
+    }
+    return found;
+}
+
+// The waves of one side, `state` their shares, as rays. Returns how many are there then.
+int addRays(Interface at, mat3 frame, int region, float n, float q, vec2 k, vec4 state, vec3 tint,
+            ObjectSet objects, int count, inout Outgoing outgoing[kMostOutgoing]) {
+    const float kNone = 1.0e-7; // a rounding
+    float whole = state.x + state.y;
+    if (isCrystal(region) && goesTogether(region)) {
+        vec3 stokes = vec3(state.x - state.y, 2.0 * state.z, 2.0 * state.w) / max(whole, kNone);
+        float kz = state.x > kNone ? k.x : k.y;
+        if (whole > kNone)
+            outgoing[count++] = Outgoing(frame * vec3(q, 0.0, kz), whole, tint, objects, abs(kz) / n, kTogether,
+                                         stokes);
+    } else if (isCrystal(region)) {
+        Uniaxial medium = uniaxialOf(region);
+        vec3 o = frame * vec3(q, 0.0, k.x);
+        vec3 e = frame * vec3(q, 0.0, k.y);
+        bool swap = state.y > 2.0 * state.x; // the brighter first; of like ones the o-wave
+        for (int i = 0; i < 2; ++i) {
+            bool ordinary = (i == 0) != swap;
+            float share = ordinary ? state.x : state.y;
+            int mode = ordinary ? kOrdinary : kExtraordinary;
+            vec3 w = ordinary ? o : e;
+            if (share > kNone)
+                outgoing[count++] = Outgoing(w, share, tint, objects,
+                                             abs(dot(rayDirection(medium, mode, w), at.normal)), mode, vec3(0.0));
+        }
+    } else if (whole > kNone) {
+        vec2 p = polarisationOf(state.xyz);
+        vec3 polarisation = frame * (p.x * inPlane(q, k.x, n) + vec3(0.0, p.y, 0.0));
+        outgoing[count++] = Outgoing(frame * vec3(q, 0.0, k.x), whole, tint, objects, abs(k.x) / n,
+                                     kUnsplit, polarisation);
+    }
+    return count;
+}
+
+// All rays of what arrives: those beyond first.
+int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
+    bool fromCrystal = isCrystal(at.here);
+    if (!fromCrystal) w *= at.n / length(w);
+    vec3 along = w - dot(w, at.normal) * at.normal;
+    float q = length(along);
+    vec3 x = along / max(q, 1.0e-20);
+    if (q < 1.0e-6) {
+        vec3 helper = abs(at.normal.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+        x = normalize(cross(helper, at.normal));
+    }
+    mat3 frame = mat3(x, cross(at.normal, x), at.normal);
+    Crossing made = crossingOf(uniaxialIn(frame, at.here, at.n), uniaxialIn(frame, at.there, at.beyond), q);
+    Parts fromO = closed(made.fromO);
+    Parts fromE = closed(made.fromE);
+    vec4 state = vec4(at.mode == kOrdinary ? 1.0 : 0.0, at.mode == kExtraordinary ? 1.0 : 0.0, 0.0, 0.0);
+    if (at.mode == kTogether) {
+        state = 0.5 * vec4(1.0 + at.polarisation.x, 1.0 - at.polarisation.x, at.polarisation.yz);
+    } else if (!fromCrystal) {
+        vec3 local = at.polarisation * frame;
+        float kz = sqrt(max((at.n - q) * (at.n + q), 0.0));
+        state = vec4(stateOf(vec2(dot(local, inPlane(q, kz, at.n)), local.y)), 0.0);
+    }
+    vec3 mirrors = scene.regions[at.object].reflectance.xyz;
+    int count = addRays(at, frame, at.there, at.beyond, q, made.k.xy, sentOn(state, fromO.on, fromE.on), vec3(1.0),
+                        at.objects, 0, outgoing);
+    return addRays(at, frame, at.here, at.n, q, made.k.zw, sentOn(state, fromO.back, fromE.back), mirrors, objects,
+                   count, outgoing);
+}
+#endif

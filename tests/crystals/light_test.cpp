@@ -1,0 +1,105 @@
+// Photons and beams through crystals.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/error.h"
+#include "support/crystal_volume.h"
+#include "support/lit.h"
+
+namespace eikonal::lightsim {
+namespace {
+
+using glm::dvec3;
+using glm::ivec3;
+
+constexpr double kO = 1.6584, kE = 1.4864;
+const dvec3 kLow(4, 12, 4), kHigh(44, 32, 44);
+constexpr double kWall = 6.3, kFar = 2e4, kDisc = 10;
+
+volume::Volume boxOverWall(const dvec3& axis, double sigmaO = 0, double sigmaE = 0) {
+    return crystalVolume(ivec3(48, 40, 48),
+                         {{"box", [](dvec3 p) { return boxDistance(p, kLow, kHigh); }, kO,
+                           crystalOf(kE, axis, sigmaE), sigmaO},
+                          {"wall", [](dvec3 p) { return p.y - kWall; }, 1, {}, 0, 0}});
+}
+
+Params onWall(std::int64_t photons) {
+    // A disc of 20 voxels of light that is nearly parallel, of irradiance 1, far from the box's
+    // edges, which splines round.
+    Light light = lamp({24, kFar, 24}, dvec3(kFar * kFar));
+    light.kind = Light::Kind::spot;
+    light.axis = {0, -1, 0};
+    light.angle = std::atan(kDisc / kFar) * 180 / 3.141592653589793;
+    Params params = paramsOf({light}, photons);
+    params.outputs = Output::irradiance;
+    params.surfaceDetail = 1;
+    return params;
+}
+
+/// The mean over voxels whose middles are between two places along x, far from the box's other
+/// sides.
+double meanBetween(const volume::FineGrid& grid, double low, double high) {
+    double sum = 0;
+    int found = 0;
+    for (size_t i = 0; i < grid.voxels.size(); ++i) {
+        const dvec3 x = dvec3(grid.voxels[i]) + 0.5;
+        if (x.x < low || x.x > high || x.z < 22 || x.z > 26 || x.y < 3)
+            continue; // not where the wall is cut open
+        sum += static_cast<double>(grid.values[i].x);
+        ++found;
+    }
+    EXPECT_GT(found, 0);
+    return sum / found;
+}
+
+/// What a plate of index n lets through, by as many ways as it takes.
+double through(double n, double sigma = 0) {
+    const double R = std::pow((n - 1) / (n + 1), 2), a = std::exp(-20 * sigma);
+    return (1 - R) * (1 - R) * a / (1 - R * R * a * a);
+}
+
+TEST(CrystalLight, EachModeLandsInAPlaceOfItsOwn) {
+    // The axis at 45° to the light: e-rays land 2.18 voxels aside, so that two discs of half the
+    // light lie beside each other.
+    const double e = std::sqrt(2 / (1 / (kO * kO) + 1 / (kE * kE)));
+    for (const auto& [side, method] :
+         {std::pair(1, Method::photons), std::pair(-1, Method::photons),
+          std::pair(1, Method::beams)}) {
+        Params params = onWall(method == Method::photons ? 1 << 20 : 1 << 16);
+        params.method = method;
+        const Lit lit(boxOverWall({static_cast<double>(side), 1, 0}), params);
+        EXPECT_EQ(lit.plan.beams, method == Method::beams);
+        const volume::FineGrid& grid = lit.result.irradiance;
+        // Photons by some hundred a voxel.
+        EXPECT_NEAR(meanBetween(grid, 19, 29), 0.5 * (through(kO) + through(e)), 0.01);
+        const double left = meanBetween(grid, 12.2, 13.7), right = meanBetween(grid, 34.3, 35.7);
+        const double leftWithin = meanBetween(grid, 15, 16),
+                     rightWithin = meanBetween(grid, 32, 33);
+        // Beyond the o-rays' disc the e-rays' alone, on the other side the o-rays' alone.
+        const bool onRight = right > left;
+        EXPECT_EQ(onRight, side > 0);
+        EXPECT_NEAR(onRight ? right : left, 0.5 * through(e), 0.03);
+        EXPECT_NEAR(onRight ? left : right, 0, 0.03);
+        EXPECT_NEAR(onRight ? leftWithin : rightWithin, 0.5 * through(kO), 0.03);
+    }
+}
+
+TEST(CrystalLight, ModesAreAbsorbedByTheirOwn) {
+    // Cut along its axis: plates of n_o and n_e.
+    for (const Method method : {Method::photons, Method::beams}) {
+        Params params = onWall(method == Method::photons ? 1 << 20 : 1 << 16);
+        params.method = method;
+        const Lit lit(boxOverWall({1, 0, 0}, 0.05, 0.01), params);
+        EXPECT_NEAR(meanBetween(lit.result.irradiance, 19, 29),
+                    0.5 * (through(kO, 0.05) + through(kE, 0.01)), 0.01);
+    }
+}
+
+TEST(CrystalLight, WhatIsNotTracedIsRefused) {
+    Params params = onWall(1 << 10);
+    params.method = Method::wavefront;
+    EXPECT_THROW(makePlan(boxOverWall({1, 1, 0}), params), UsageError);
+    params = paramsOf({lamp({24, 20, 24})});
+    EXPECT_THROW(makePlan(boxOverWall({1, 1, 0}), params), DataError);
+}
+
+} // namespace
+} // namespace eikonal::lightsim
