@@ -18,7 +18,8 @@ if [ "$1" = --page ]; then
         echo "# Gallery"
         echo
         echo "Each picture by \`make -f pipelines/gallery/NAME.mk\`, all of them and a contact sheet by \`make gallery\`. Seconds are of"
-        echo "all stages on two cores without a GPU (Mesa's llvmpipe), from meshes to the picture."
+        echo "processors, summed over all stages, without a GPU (Mesa's llvmpipe), from meshes to the picture: two cores take"
+        echo "half as long."
         for name in "$@"; do
             oiiotool "$folder/$name.png" --ch R,G,B --resize 480x0 -d uint8 --quality 88 -o "$pictures/$name.jpg"
             printf '\n## %s\n\n![%s](gallery/%s.jpg)\n\n%s Answers %s. %s s: `make -f pipelines/gallery/%s.mk`.\n' "$name" \
@@ -41,7 +42,7 @@ h2 { font-size: 16px; margin: .6em 0 0 } p { margin: .2em 0 }
 <h1>Gallery</h1><main>
 END
 for name in "$@"; do
-    printf '<article><img src="%s.png" alt="%s"><h2>%s</h2><p>Answers %s. %s s.</p><details><summary>Commands</summary><pre>%s</pre></details></article>\n' \
+    printf '<article><img src="%s.png" alt="%s"><h2>%s</h2><p>Answers %s. %s s of processors.</p><details><summary>Commands</summary><pre>%s</pre></details></article>\n' \
         "$name" "$(of "$name" Caption | escaped)" "$(of "$name" Caption | escaped)" "$(of "$name" Answers | escaped)" \
         "$(<"$folder/$name.seconds")" "$(commands "$folder/$name.log" | escaped)"
 done

@@ -1,0 +1,14 @@
+# Caption: Calcite doubles a page, tourmaline is dark along one axis, a wedge of quartz shows its interference colours.
+# Answers: 004 appendix A, which its author left as theory
+# Small: WIDTH=96 SAMPLES=1
+# SPDX-License-Identifier: GPL-3.0-or-later
+NAME := crystals
+WIDTH ?= 480
+include pipelines/gallery/common.mk
+picture: $(OUT)/crystals.png
+.PHONY: picture
+$(OUT)/crystals.png:
+	$(MAKE) -f pipelines/crystals.mk BIN=$(BIN) OUT=$(MADE) SAMPLES=$(SAMPLES)
+	for name in rhomb tourmaline wedge; do oiiotool $(MADE)/crystals/$$name.png --ch R,G,B \
+	  --resize $(WIDTH)x0 -o $(MADE)/$$name.png || exit 1; done
+	oiiotool $(MADE)/rhomb.png $(MADE)/tourmaline.png $(MADE)/wedge.png --mosaic 1x3 -d uint8 -o $@
