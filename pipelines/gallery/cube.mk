@@ -14,7 +14,7 @@ VOLUME_OPTIONS  = --ior 1.45 --ior 1.6 --ior 1.75 --absorption 0.5,0.16,0.06 --a
                   --absorption 1.3,0.2,0.5 --scattering 0.12 --scattering 0.2 --scattering 0.3 --anisotropy 0.5 \
                   --resolution $(RESOLUTION) --ground '-1.03:0.5,0.48,0.45' --ground-margin 1.3
 SMOOTH         := off
-LIGHT_OPTIONS  ?= --light directional:0.5,-0.9,-0.45:4.2,4,3.7 --photons $(PHOTONS) --surface-detail 1 --max-depth 16
+LIGHT_OPTIONS  ?= --light directional:0.5,-0.9,-0.45:4.2,4,3.7 --photons $(PHOTONS) --surface-detail 1 --max-depth 8
 VIEW_OPTIONS    = --eye 3.4,2.5,5.6 --target 0.05,-0.22,0 --fov 28 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)
 VIEW_FILES      = $(ROOM)
 include pipelines/chain.mk
