@@ -60,7 +60,7 @@ float polygonAt(int i, vec3 x) {
 bool isAtSide(vec3 x) {
     float margin = 0.0;
     if (POINTS == 1) margin = 1.0;
-    else if (SURFACES == 1) margin = 1.5 / float(surface.size.w);
+    else if (SURFACES > 0) margin = 1.5 / float(surface.size.w);
     return any(lessThan(x, ground.low.xyz + margin)) || any(greaterThan(x, ground.high.xyz - margin));
 }
 

@@ -328,6 +328,7 @@ double stepOf(const std::string& spec) {
 // Within a hundredth no step is seen.
 TEST(ViewGround, MeetsTheDomainsSideWithoutAStep) {
     EXPECT_LT(stepOf("directional:0.3,-1,0.2:3"), 0.01);
+    EXPECT_LT(stepOf("directional:0.3,-1,0.2:3,2.5,2"), 0.01);
     EXPECT_LT(stepOf("point:1,4,1:3"), 0.01);
 }
 
