@@ -3,9 +3,9 @@
 # Small: RESOLUTION=96 SIZE=72x60 SAMPLES=2
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME := brilliant
-SIZE ?= 300x250
-RESOLUTION ?= 384
-SAMPLES ?= 12
+SIZE ?= 240x200
+RESOLUTION ?= 256
+SAMPLES ?= 3
 include pipelines/gallery/common.mk
 picture: $(OUT)/brilliant.png
 .PHONY: picture

@@ -60,7 +60,7 @@ $(MADE)/%.vdb: $$(MESHES_$$*) $(MADE)/%_stand.obj
 	$(BIN)/mesh2vol $^ -o $@ $(MATTER_$*) --ior 1 --opacity 1 $(MESHES_$*:%=--albedo 0) --albedo 0.6,0.57,0.52 \
 	  $(GROUND_$*) --resolution $(RESOLUTION)
 $(MADE)/%_lit.vdb: $(MADE)/%.vdb
-	$(BIN)/lightsim $< -o $@ --light directional:0.5,-1,-0.45:2.6,2.5,2.3 --surface-detail 2
+	$(BIN)/lightsim $< -o $@ --light directional:0.5,-1,-0.45:2.6,2.5,2.3 --surface-detail 1 --max-depth 5
 $(OUT)/museum.exr $(OUT)/museum.png &: $(THINGS:%=$(MADE)/%_lit.vdb) $(ROOM)
 	$(BIN)/render $(THINGS:%=$(MADE)/%_lit.vdb) -o $(OUT)/museum.exr -o $(OUT)/museum.png --eye 0.3,2.4,8.2 \
 	  --target 0,1.05,0 --fov 25 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)
