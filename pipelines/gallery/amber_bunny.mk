@@ -1,6 +1,5 @@
 # Caption: An amber bunny with black embeddings in a case of smoke, in which it focuses light.
 # Answers: 000 figure 1, middle
-# Small: RESOLUTION=64 SIZE=96x72 SAMPLES=1 PHOTONS=100000
 # Needs: data/bunny.off
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := amber_bunny

@@ -1,6 +1,5 @@
 # Caption: A diamond in the brilliant cut among many lamps: total reflection and fire.
 # Answers: 004 section 7 (total reflection), with dispersion
-# Small: RESOLUTION=96 SIZE=72x60 SAMPLES=2
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME := brilliant
 SIZE ?= 240x200

@@ -1,6 +1,5 @@
 # Caption: Bodies that deform: in image space (upper rows) beside the same frames through volumes.
 # Answers: 003 figure 9, 002
-# Small: RESOLUTION=40 SIZE=48x48 FRAMES=2
 # Needs: data/bunny.off
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := deforming

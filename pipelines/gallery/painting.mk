@@ -1,6 +1,5 @@
 # Caption: Dye dropped into water: a brush that is a volume file, stamped frame after frame.
 # Answers: 003 figure 8
-# Small: RESOLUTION=40 SIZE=60x45 FRAMES=2
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := painting
 RESOLUTION ?= 72

@@ -1,6 +1,5 @@
 # Caption: White light through a slit and prisms of flint and of crown glass, in smoke and on a wall.
 # Answers: 000 section 3 (dispersion, which the source leaves out)
-# Small: SIZE=96x54 WALL=8
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME := prism
 SIZE ?= 480x272

@@ -25,6 +25,12 @@ if [ "$1" = --page ]; then
             printf '\n## %s\n\n![%s](gallery/%s.jpg)\n\n%s Answers %s. %s s: `make -f pipelines/gallery/%s.mk`.\n' "$name" \
                 "$(of "$name" Caption)" "$name" "$(of "$name" Caption)" "$(of "$name" Answers)" "$(<"$folder/$name.seconds")" "$name"
         done
+        printf '\nMore recipes, not shown here:'
+        for recipe in "$here"/*.mk; do
+            name=$(basename "$recipe" .mk)
+            [[ $name == common || " $* " == *" $name "* ]] || printf ' `%s`' "$name"
+        done
+        printf '.\n'
     } >"$page"
     exit
 fi

@@ -1,6 +1,5 @@
 # Caption: A glass of red wine casts a coloured caustic on the table.
 # Answers: 000 figure 1, left
-# Small: RESOLUTION=96 SIZE=96x72 SAMPLES=1
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := wine
 RESOLUTION ?= 224
