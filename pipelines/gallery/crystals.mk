@@ -1,6 +1,5 @@
 # Caption: Calcite doubles a page, tourmaline is dark along one axis, a wedge of quartz shows its interference colours.
 # Answers: 004 appendix A, which its author left as theory
-# Small: WIDTH=96 SAMPLES=1
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME := crystals
 WIDTH ?= 480
