@@ -6,7 +6,8 @@ set -euo pipefail
 here=$(dirname "$0")
 of() { sed -n "s/^# $2: //p" "$here/$1.mk"; }             # of PICTURE WHAT
 commands() {                                              # that made a picture, without folders
-    sed -n -E '/(^|\| |\| *\\$)?[^ ]*(bin)\/(meshgen|mesh2vol|volsmooth|volpaint|sim2vol|lightsim|render) /p' "$1" |
+    sed -E ':a; /\\$/ { N; s/ *\\\n[ \t]*/ /; ba }' "$1" | # whole lines
+        sed -n -E '/bin\/(meshgen|mesh2vol|volsmooth|volpaint|sim2vol|lightsim|render) /p' |
         sed -E 's#[^ ]*bin/(meshgen|mesh2vol|volsmooth|volpaint|sim2vol|lightsim|render) #\1 #g; s#  +# #g'
 }
 escaped() { sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g'; }
