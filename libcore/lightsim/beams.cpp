@@ -47,7 +47,7 @@ constexpr std::uint32_t kBeamsPerCut = 1 << 13;
 constexpr std::uint32_t kCellsPerBeam = 256;
 constexpr std::int64_t kCellBytes = 8;
 
-// Most interfaces of a kind of path: its ways are bits of a word.
+// Most interfaces of a kind of path: its branches are bits of a word.
 constexpr int kMostWays = 31;
 
 constexpr std::int64_t kNodeBytes = sizeof(BeamNode);
@@ -83,14 +83,14 @@ struct Beams::Nodes {
 
 /// One kind of path: its points, and the cells that go on from an interface.
 struct Beams::Kind {
-    std::uint32_t ways = 0; ///< bits, the first lowest
+    std::uint32_t branches = 0; ///< bits, the first lowest
     int length = 0;
     const Kind* before = nullptr;
     gpu::Buffer points, objects, marks, wanted, slots;
     std::int64_t capacity = 0, count = 0; ///< points there is room for, and those there are
     std::vector<Nodes> next;              ///< that go on
     std::int64_t wantedCount = 0;
-    std::uint32_t nextWays = 0; ///< bits of the ways that any of them takes
+    std::uint32_t nextBranches = 0; ///< bits of the branches that any of them takes
 };
 
 struct Beams::Run {
@@ -121,7 +121,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mSeed(params.seed), mWayBits(plan.scene.anyCrystal() ? 2 : 1),
+      mMapCells(cellsOf(params)), mSeed(params.seed), mBranchBits(plan.scene.anyCrystal() ? 2 : 1),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -133,7 +133,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
     mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
-    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays / mWayBits));
+    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays / mBranchBits));
     mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
     mParams.right.w = static_cast<float>(params.shadowCull);
 }
@@ -234,7 +234,7 @@ void Beams::grow(Run& run, Kind& kind, std::int64_t points) {
 void Beams::trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents) {
     mParams.list.x = static_cast<unsigned>(items);
     mParams.list.y = static_cast<unsigned>(first);
-    mParams.kind = uvec4(kind.ways, kind.length, fromParents ? 1 : 0, mSeed);
+    mParams.kind = uvec4(kind.branches, kind.length, fromParents ? 1 : 0, mSeed);
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
     run.transport.bind();
@@ -244,7 +244,7 @@ void Beams::trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, 
     if (mManyObjects) kind.objects.bindStorage(kObjectsBuffer);
     if (fromParents) {
         kind.before->points.bindStorage(kParentsBuffer);
-        kind.before->marks.bindStorage(kWaysBuffer);
+        kind.before->marks.bindStorage(kBranchesBuffer);
         kind.before->wanted.bindStorage(kWantedBuffer);
         if (mManyObjects) kind.before->objects.bindStorage(kParentObjectsBuffer);
     }
@@ -290,11 +290,11 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     counts[kWantedCount] = static_cast<std::uint32_t>(kind.wantedCount);
     mCounts.upload(counts.data(), mCounts.bytes());
     mParams.list.x = static_cast<unsigned>(nodes.count);
-    mParams.kind = uvec4(kind.ways, kind.length, 0, mSeed);
+    mParams.kind = uvec4(kind.branches, kind.length, 0, mSeed);
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
     kind.points.bindStorage(kPointsBuffer);
-    kind.marks.bindStorage(kWaysBuffer);
+    kind.marks.bindStorage(kBranchesBuffer);
     kind.wanted.bindStorage(kWantedBuffer);
     kind.slots.bindStorage(kSlotsBuffer);
     run.surfaces.bindReceiving();
@@ -310,7 +310,7 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     run.profiler.end();
     run.culled += counts[kCulledCount];
     kind.wantedCount = counts[kWantedCount];
-    kind.nextWays |= counts[kNextWays];
+    kind.nextBranches |= counts[kNextBranches];
     next.count = counts[kNextCount];
     if (next.count > 0) kind.next.push_back(std::move(next));
     if (counts[kBeamCount] > 0) {
@@ -357,10 +357,10 @@ void Beams::follow(Run& run, Kind& kind) {
         nodes.list.bindStorage(kNodesBuffer);
         dispatchList(mFollow, nodes.count);
     }
-    for (std::uint32_t way = 0; way < 1u << mWayBits; ++way) {
-        if ((kind.nextWays >> way & 1u) == 0) continue;
+    for (std::uint32_t branch = 0; branch < 1u << mBranchBits; ++branch) {
+        if ((kind.nextBranches >> branch & 1u) == 0) continue;
         Kind after;
-        after.ways = kind.ways | way << (kind.length * mWayBits);
+        after.branches = kind.branches | branch << (kind.length * mBranchBits);
         after.length = kind.length + 1;
         after.before = &kind;
         grow(run, after, kind.wantedCount);
@@ -372,7 +372,7 @@ void Beams::follow(Run& run, Kind& kind) {
     }
     kind.next.clear();
     kind.wantedCount = 0;
-    kind.nextWays = 0;
+    kind.nextBranches = 0;
     kind.marks.clear();
 }
 

@@ -3,7 +3,7 @@
 //
 // After Barczak and Olano (hierarchical light volumes) and Liktor and Dachsbacher 2011 (adaptive
 // beam tracing): a quadtree over the light's map, whose cells split until what is inside them
-// follows from their corners. Every kind of path, which is a list of the ways taken at interfaces,
+// follows from their corners. Every kind of path, which is a list of the branches taken at interfaces,
 // is a tree of its own. No random number decides where light goes.
 #pragma once
 
@@ -62,7 +62,7 @@ private:
     VoxelBox mDomain;
     std::int64_t mMapCells; ///< where the map is aimed at; 0: as many as is worth it
     std::uint32_t mSeed;
-    int mWayBits; ///< that tell a way taken at an interface
+    int mBranchBits; ///< that tell a branch taken at an interface
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple
 

@@ -13,14 +13,15 @@
 #if !defined(CHANNELS) || !defined(CULLS) || !defined(CRYSTALS)
 #error CHANNELS must be 1 or 3, CULLS and CRYSTALS 0 or 1
 #endif
-const bool kCrystals = CRYSTALS == 1; // an interface has four ways, see beam_trace.comp.glsl
-const uint kWayBits = kCrystals ? 2u : 1u;
+const bool kCrystals = CRYSTALS == 1; // an interface has four branches
 const bool kCulls = CULLS == 1; // some surfaces receive nothing
+
+#include "lightsim/beam_kind.glsl"
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
 layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
-layout(std430, binding = kWaysBuffer) buffer Ways { uint ways[]; };
+layout(std430, binding = kBranchesBuffer) buffer Branches { uint branches[]; };
 layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
 layout(std430, binding = kBeamsBuffer) writeonly buffer Beams { uint beams[]; };
 layout(std430, binding = kSplitsBuffer) writeonly buffer Splits { uint splits[]; };
@@ -71,7 +72,7 @@ int bookOf(int status) {
 }
 
 void want(uint point, uint bits) {
-    uint before = atomicOr(ways[point], bits);
+    uint before = atomicOr(branches[point], bits);
     if (before != 0u) return;
     uint slot = atomicAdd(counts[kWantedCount], 1u);
     wanted[slot] = point;
@@ -134,8 +135,9 @@ void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
     BeamNode node = nodes[item];
-    if (params.kind.y > 0u && (node.state.y >> (params.kind.x >> (kWayBits * (params.kind.y - 1u)) & ((1u << kWayBits) - 1u)) & 1u) == 0u)
-        return; // it does not go that way
+    int last = int(params.kind.y) - 1;
+    if (last >= 0 && (node.state.y >> branchAt(params.kind.x, last) & 1u) == 0u)
+        return; // it takes another branch
     bool single = node.state.x == 1u;
     BeamPoint middle = points[node.second.x];
     int status = int(middle.event.x);
@@ -252,7 +254,7 @@ void main() {
         next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);
         if (alone) next.second.x = waits;
         nextNodes[atomicAdd(counts[kNextCount], 1u)] = next;
-        atomicOr(counts[kNextWays], follow);
+        atomicOr(counts[kNextBranches], follow);
         for (int i = 0; i < 9; ++i)
             if (!alone || i == 4) want(pointOf(next, i), follow);
     }

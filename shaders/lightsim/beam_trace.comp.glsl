@@ -1,9 +1,8 @@
 // Points of beams: a light's rays, each along one kind of path to the event that follows it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A kind of path is the list of ways taken at the interfaces met: 0 on, 1 back; in scenes with crystals two bits each, 2 and
-// 3 the same as an e-wave. A point of a kind goes on from
-// that of the kind before it, one interface short of it, where that is known, else it starts at the light.
+// A kind of path is the list of branches taken at the interfaces met (beam_kind.glsl). A point of a kind goes on
+// from that of the kind before it, one interface short of it, where that is known, else it starts at the light.
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
 #include "lib/attenuation.glsl"
@@ -24,18 +23,19 @@ layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
 layout(std430, binding = kPointsBuffer) buffer Points { BeamPoint points[]; };
 layout(std430, binding = kParentsBuffer) readonly buffer Parents { BeamPoint parents[]; };
-layout(std430, binding = kWaysBuffer) readonly buffer Ways { uint ways[]; }; // of parents
+layout(std430, binding = kBranchesBuffer) readonly buffer Branches { uint branches[]; }; // of parents
 layout(std430, binding = kWantedBuffer) readonly buffer Wanted { uint wanted[]; };
 layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
 layout(std430, binding = kParentObjectsBuffer) readonly buffer ParentObjects { ObjectSet parentObjects[]; };
 layout(binding = kOpacityFieldUnit) uniform sampler3D opacityField;
+#include "lightsim/beam_kind.glsl"
 #include "lightsim/medium.glsl"
 #include "lightsim/spread.glsl"
 #include "lightsim/step_limit.glsl"
 #include "transport/opaque_voxels.glsl"
 
 struct Load {
-    int taken;      // ways taken so far
+    int taken;      // branches taken so far
     uint met;       // hash of what was met
     int object;     // of the boundary that it stopped at
     float mirrored; // share that the interface there reflects; in scenes with crystals, but as an e-wave,
@@ -112,14 +112,7 @@ void onSurface(inout Path path, inout Load load, Interface at) {
     load.outward = -at.normal;
 }
 
-const int kWayBits = kCrystals ? 2 : 1;
-
-// The way taken at an interface by its number.
-uint wayAt(int number) {
-    return params.kind.x >> (kWayBits * number) & ((1u << kWayBits) - 1u);
-}
-
-uint wayOf(Interface at, Outgoing ray) {
+uint branchOf(Interface at, Outgoing ray) {
     vec3 direction = directionIn(regionOf(ray.objects), ray.mode, ray.w, 1.0);
     return (dot(direction, at.normal) < 0.0 ? 1u : 0u) | (ray.mode == kExtraordinary ? 2u : 0u);
 }
@@ -138,16 +131,16 @@ void unpackState(inout Path path, uint state) {
     path.polarisation = float(state >> 2u & 255u) / 255.0 * fromOctahedral(2.0 * at - 1.0);
 }
 
-// As onInterface(), where there are up to four ways.
+// As onInterface(), where there are up to four branches.
 void onCrystal(inout Path path, inout Load load, Interface at, Outgoing outgoing[kMostOutgoing], int rays) {
     bool waits = load.taken == int(params.kind.y);
-    uint wanted = waits ? 0u : wayAt(load.taken);
+    uint wanted = waits ? 0u : branchAt(params.kind.x, load.taken);
     vec4 shares = vec4(0.0);
     int taken = -1;
     for (int i = 0; i < rays; ++i) {
-        uint way = wayOf(at, outgoing[i]);
-        shares[way] = outgoing[i].share;
-        if (way == wanted) taken = i;
+        uint branch = branchOf(at, outgoing[i]);
+        shares[branch] = outgoing[i].share;
+        if (branch == wanted) taken = i;
     }
     if (waits) {
         path.status = path.depth >= int(params.list.w) ? kDeep : kMeets;
@@ -160,7 +153,7 @@ void onCrystal(inout Path path, inout Load load, Interface at, Outgoing outgoing
     ++load.taken;
     ++path.depth;
     remember(load, at.object + 256 * int(wanted), at.there);
-    if (taken < 0) path.status = kFaded; // there is no such way
+    if (taken < 0) path.status = kFaded; // there is no such branch
     Outgoing ray = outgoing[max(taken, 0)];
     path.throughput *= ray.share * ray.tint;
     path.ray.w = ray.w;
@@ -184,7 +177,7 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         remember(load, at.object, at.there);
         return;
     }
-    bool back = wayAt(load.taken) == 1u;
+    bool back = branchAt(params.kind.x, load.taken) == 1u;
     ++load.taken;
     ++path.depth;
     remember(load, at.object, back ? -1 : at.there);
@@ -256,7 +249,7 @@ Path pathFromParent(uint id, inout Load load) {
     load.met = parent.event.y;
     load.taken = int(params.kind.y) - 1;
     int object = int(parent.event.z);
-    bool goes = parent.event.x == uint(kMeets) && (ways[id] >> wayAt(load.taken) & 1u) == 1u;
+    bool goes = parent.event.x == uint(kMeets) && (branches[id] >> branchAt(params.kind.x, load.taken) & 1u) == 1u;
     if (goes && kObjects > 0) {
         Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
         Interface at = interfaceAt(path, hit);

@@ -43,7 +43,7 @@ struct BeamNode {
     uvec4 second; // points 4, its middle, to 7
     ivec4 place;  // xy: its low corner, z: its edge [finest cell], w: point 8
     uvec4 state;  // x: 1 if it is too small to be a beam: its middle stands for it;
-                  // y: bits of the ways it goes on from the interface it is at
+                  // y: bits of the branches it goes on from the interface it is at
 };
 
 struct BeamParams {
@@ -51,7 +51,7 @@ struct BeamParams {
     vec4 limits; // x: shortest step [voxel], y: a share below is not followed, z: fixed-point unit
                  // of all power of a cell, w: how far a beam may be off [fine voxel]
     uvec4 list; // x: items, y: the first point, z: points there are, w: most interfaces met
-    uvec4 kind; // x: bits of the ways taken at interfaces, the first lowest, y: how many, z:
+    uvec4 kind; // x: bits of the branches taken at interfaces, the first lowest, y: how many, z:
                 // whether points go on from those of the kind before, w: differs by seed and batch
     ivec4 levels; // x: edge of a cell [finest cell], y: starting cells, of kAimedLevels more,
                   // along x, z: along y; w: the longest edge of what one beam covers [fine voxel]
@@ -81,7 +81,7 @@ const int kWantedCount = 3;   // points that go on
 const int kNearFullCount = 4; // not 0 if a sum came near its end
 const int kDepositCount = 5;
 const int kMissedCount = 6; // parts that fell beside every surface voxel
-const int kNextWays = 7; // bits of the ways that any of those that go on takes
+const int kNextBranches = 7; // bits of the branches that any of those that go on takes
 const int kCulledCount = 8; // that lead to no surface that receives
 const int kCellCount = 9;       // cells of beams to be laid down
 const int kBrokenCellCount = 10; // quarters and points of what is no beam

@@ -1,5 +1,6 @@
 // A picture behind the scene, and how far the scene turns what is seen of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/boundary.h"
 #include "support/ground_stage.h"
 #include "support/look.h"
 
@@ -75,13 +76,21 @@ TEST(Plate, EndsOrGoesOn) {
     const Look goesOn(nothing(), params);
     expectNear(goesOn.colour(0, 3), mixed(0, 1), 2e-3);
     expectNear(goesOn.colour(7, 7), mixed(3, 3), 2e-3);
-    // Behind the eye is none.
-    params.camera.eye = {4, 4, 30};
-    params.camera.target = {4, 4, 60};
-    params.camera.fov = 179;
-    params.camera.parallel = false;
-    const Look across(nothing(), params);
-    EXPECT_GT(across.colour(0, 3).x, 0.9);
+}
+
+TEST(Plate, IsNotSeenBackwards) {
+    // A ball of metal before a plate mirrors what is on the eye's side: nothing.
+    TestVolume ball(glm::ivec3(24));
+    ball.constant("ior", 1).add(
+        "sdf", [](const dvec3& p) { return glm::length(p - 12.0) - 8; }, 4);
+    volume::Volume volume = ball.take();
+    setBoundary(volume, "sdf", 0, "silver");
+    Params params = perspective({12, 12, 90}, {12, 12, 0}, 8, {9, 9});
+    params.plate = Plate{pictureOf(2, 2, [](int, int) { return dvec3(1000); }), 200};
+    const Look look(std::move(volume), params);
+    EXPECT_GT(look.at("A", 4, 4), 0);
+    EXPECT_LT(look.colour(4, 4).x, 1e-3);
+    EXPECT_GT(look.colour(0, 0).x, 999);
 }
 
 TEST(Plate, IsShiftedByWhatBendsLightBeforeIt) {

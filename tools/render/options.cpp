@@ -84,8 +84,7 @@ void addMeshOptions(CLI::App& app, Options& o) {
     app.add_option(
            "--plate", o.plates,
            "of volumes a picture upright behind the scene, as a photograph; of dir with --layers "
-           "and "
-           "of rays a matt mesh beside the body, lit by the surroundings, default albedo 0.8")
+           "and of rays a matt mesh beside the body, lit by the surroundings, default albedo 0.8")
         ->type_name("PICTURE[:LAYER]|MESH[:R,G,B]")
         ->allow_extra_args(false)
         ->group(kGroup);

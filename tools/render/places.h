@@ -1,5 +1,5 @@
-// Where render's volumes lie: those on one transform are one scene, others have places of their
-// own. SPDX-License-Identifier: GPL-3.0-or-later
+// Where render's volumes lie: on one transform they are one scene, others have their own places.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "common/placement.h"
