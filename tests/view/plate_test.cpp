@@ -85,7 +85,7 @@ TEST(Plate, IsNotSeenBackwards) {
         "sdf", [](const dvec3& p) { return glm::length(p - 12.0) - 8; }, 4);
     volume::Volume volume = ball.take();
     setBoundary(volume, "sdf", 0, "silver");
-    Params params = perspective({12, 12, 90}, {12, 12, 0}, 8, {9, 9});
+    Params params = perspective({12, 12, 90}, {12, 12, 0}, 16, {9, 9});
     params.plate = Plate{pictureOf(2, 2, [](int, int) { return dvec3(1000); }), 200};
     const Look look(std::move(volume), params);
     EXPECT_GT(look.at("A", 4, 4), 0);
