@@ -24,12 +24,13 @@ using volume::Volume;
 /// Grids that a brush has, and that add up where media mix.
 const std::vector<std::string> kStamped = {"absorption", "scattering", "emission"};
 
-float* valuesAt(DenseGrid& grid, const glm::ivec3& p) {
+/// Where a voxel's values are among the grid's.
+size_t placeOf(const DenseGrid& grid, const glm::ivec3& p) {
     const size_t voxel =
         (static_cast<size_t>(p.z) * static_cast<size_t>(grid.size.y) + static_cast<size_t>(p.y)) *
             static_cast<size_t>(grid.size.x) +
         static_cast<size_t>(p.x);
-    return grid.values.data() + voxel * static_cast<size_t>(grid.components);
+    return voxel * static_cast<size_t>(grid.components);
 }
 
 /// One grid of the volume while it is painted.
@@ -82,7 +83,7 @@ public:
                     const glm::dvec3 world =
                         mFrame.worldFromIndex *
                         glm::dvec4(glm::dvec3(mBox.min + glm::ivec3(x, y, z)), 1);
-                    stroke(world, valuesAt(mGrid, {x, y, z}));
+                    stroke(world, mGrid.values.data() + placeOf(mGrid, {x, y, z}));
                 }
         });
     }
@@ -175,7 +176,7 @@ public:
                 continue;
             double weight = 1;
             for (int axis = 0; axis < 3; ++axis) weight *= d[axis] ? t[axis] : 1 - t[axis];
-            const float* values = valuesAt(const_cast<DenseGrid&>(mGrid), p);
+            const float* values = mGrid.values.data() + placeOf(mGrid, p);
             for (int c = 0; c < 3; ++c)
                 sum[c] += weight * static_cast<double>(values[mGrid.components == 1 ? 0 : c] -
                                                        mBackground[c]);

@@ -30,8 +30,9 @@ public:
     void one(const std::string& option, double value, const std::string& wanted,
              const Holds& holds) const {
         const auto stored = static_cast<float>(value);
-        require(std::isfinite(stored) && holds(stored), mPrefix + option, toText(value) + mOf,
-                wanted);
+        const bool wasFloat = static_cast<double>(stored) == value;
+        require(std::isfinite(stored) && holds(stored), mPrefix + option,
+                (wasFloat ? toText(stored) : toText(value)) + mOf, wanted);
     }
     template<typename Holds>
     void rgb(const std::string& option, const glm::dvec3& value, const std::string& wanted,
