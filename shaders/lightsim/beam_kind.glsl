@@ -1,0 +1,11 @@
+// A kind of path: the branches that it takes at interfaces, bits of a word, the first lowest.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// 0 goes on, 1 back; in scenes with crystals two bits each, 2 and 3 the e-waves.
+
+const int kBranchBits = CRYSTALS == 1 ? 2 : 1;
+
+// The branch taken at an interface by its number.
+uint branchAt(uint kind, int number) {
+    return kind >> (kBranchBits * number) & ((1u << kBranchBits) - 1u);
+}
