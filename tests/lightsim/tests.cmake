@@ -21,13 +21,12 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "LightDispersion.PhotonsOf*" "LightDispersion.LinesLand*"
                                           "LightMetal.ACylinders*" "LightRough.ARough*"
                                           "LightRough.PhotonsTake*" "LightCoat.ItsBases*" "LightPoints.OfLightsApart*" "LightDispersion.White*"
-                                          "Lights.ARect*" "LightSurfaces.TheSameRun*")
+                                          "Lights.ARect*" "LightSurfaces.TheSameRun*"
+                                          "LightSharp.OutOfGlass*" "LightLens.ATurned*")
 
-eikonal_run(lightsim_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/lightsim_test.sh
-                                       ${CMAKE_BINARY_DIR})
+eikonal_manners(lightsim_manners lightsim/lightsim_test.sh LONG bad_usage old_names lights points)
 
-eikonal_run(lightsim_fronts COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/lightsim/fronts_test.sh
-                                     ${CMAKE_BINARY_DIR})
+eikonal_manners(lightsim_fronts lightsim/fronts_test.sh)
 
 # shader_lib.h reads the shaders' library from there.
 target_include_directories(test_lightsim SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)

@@ -1,5 +1,4 @@
 eikonal_test(test_shapes SOURCES meshgen/solids_test.cpp meshgen/revolve_test.cpp
                                  meshgen/implicit_test.cpp meshgen/logo_test.cpp)
 
-eikonal_run(meshgen_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/meshgen/meshgen_test.sh
-                                      ${CMAKE_BINARY_DIR})
+eikonal_manners(meshgen_manners meshgen/meshgen_test.sh LONG mesh2vol_takes_all)

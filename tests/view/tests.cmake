@@ -9,8 +9,7 @@ eikonal_test(test_view SOURCES view/camera_test.cpp view/light_test.cpp view/cur
 # The structs that shaders and C++ share are from there.
 target_include_directories(test_view SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/shaders)
 
-eikonal_run(render_manners COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_test.sh
-                                     ${CMAKE_BINARY_DIR})
+eikonal_manners(render_manners view/render_test.sh LONG bad_usage boundaries plate light_of_points several_outputs)
 eikonal_run(render_files LONG COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/render_files_test.sh
                                  ${CMAKE_BINARY_DIR})
 eikonal_run(ground_files LONG COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/view/ground_test.sh
