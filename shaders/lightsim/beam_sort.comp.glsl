@@ -72,11 +72,13 @@ int bookOf(int status) {
 }
 
 void want(uint point, uint bits) {
-    uint before = atomicOr(branches[point], bits);
-    if (before != 0u) return;
-    uint slot = atomicAdd(counts[kWantedCount], 1u);
-    wanted[slot] = point;
-    slots[point] = slot;
+    uint fresh = bits & ~atomicOr(branches[point], bits);
+    for (uint branch = 0u; branch < 1u << kBranchBits; ++branch) {
+        if ((fresh >> branch & 1u) == 0u) continue;
+        uint slot = atomicAdd(counts[kWantedCount], 1u);
+        wanted[slot] = wantedAs(point, branch);
+        slots[wantedAs(point, branch)] = slot;
+    }
 }
 
 // Whether a brick that this box [voxel] reaches into holds surface voxels.
@@ -134,10 +136,8 @@ vec2 sharesOfE(BeamPoint point) {
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
+    item += params.list.y;
     BeamNode node = nodes[item];
-    int last = int(params.kind.y) - 1;
-    if (last >= 0 && (node.state.y >> branchAt(params.kind.x, last) & 1u) == 0u)
-        return; // it takes another branch
     bool single = node.state.x == 1u;
     BeamPoint middle = points[node.second.x];
     int status = int(middle.event.x);
@@ -251,10 +251,10 @@ void main() {
         beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
     if (follow != 0u) {
         BeamNode next = node;
-        next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);
+        next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), node.state.w);
         if (alone) next.second.x = waits;
         nextNodes[atomicAdd(counts[kNextCount], 1u)] = next;
-        atomicOr(counts[kNextBranches], follow);
+        atomicAdd(counts[kBranchCount], uint(bitCount(follow)));
         for (int i = 0; i < 9; ++i)
             if (!alone || i == 4) want(pointOf(next, i), follow);
     }
