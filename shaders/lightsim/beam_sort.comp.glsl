@@ -45,9 +45,10 @@ const float kCreasedBend = 0.03; // where what it falls on is no smooth surface:
 const float kSmooth = 0.9;       // cosine between normals of a smooth one
 const float kFaint = 0.01; // share of the light's own irradiance below which it makes no difference
 // A cell is split if its share of the light, times its edge, is so much: half the edge, twice the share. Of cells
-// whose rays part behind interfaces there are many, of many kinds.
+// whose rays part behind interfaces there are many, along lines: there it is the share of a whole cell's light, which
+// for lines gives the least error for as many cells.
 const float kWorth = 0.01;
-const float kBrokenWorth = 0.05;
+const float kBrokenWorth = 0.01;
 const float kFlat = 0.1;   // a bend of so much of a fine voxel is none
 const float kDot = 0.25;   // an extent of so much of one is a point,
 const int kTold = 3;       // if so many points tell it
@@ -200,8 +201,8 @@ void main() {
         landed = 0;
     }
     bool isStarting = params.kind.y == 0u && node.place.z > params.levels.x;
-    float worth = params.kind.y > 0u && !agree ? kBrokenWorth : kWorth;
-    split = split && node.place.z > kSmallest && share * edge >= worth;
+    bool isWorthIt = params.kind.y > 0u && !agree ? share * area >= kBrokenWorth : share * edge >= kWorth;
+    split = split && node.place.z > kSmallest && isWorthIt;
     if (split || (isStarting && isAimedAt(node))) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
         return;
