@@ -30,12 +30,12 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"OBJECTS", static_cast<int>(scene.objects.size())},
             {"NEAR", scene.sharp && areMany(scene.objects) ? mostNear(scene.objects) : 0},
             {"PACKED", scene.sharp && isPacked(scene.objects)},
-            {"VARIES", scene.sharp && scene.varyingRegions() > 0},
+            {"VARIES", scene.sharp && scene.coefficientPages() > 0},
             {"OPAQUE", scene.anyOpaque()},
             {"METALS", scene.anyMetal()},
             {"ROUGH", scene.anyRough()},
             {"COATS", scene.firstCoated() != nullptr},
-            {"CRYSTALS", scene.anyCrystal()}};
+            {"CRYSTALS", scene.anyVaryingCrystal() ? 2 : scene.anyCrystal() ? 1 : 0}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

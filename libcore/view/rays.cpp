@@ -46,7 +46,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     gpu::Switches list = scene::transportSwitches(plan.scene, params);
     if (params.polarises())
         for (auto& [name, value] : list)
-            if (name == "CRYSTALS") value = 1;
+            if (name == "CRYSTALS") value = std::max(value, 1);
     list.emplace_back("CHANNELS", plan.colour ? 3 : plan.dims ? 1 : 0);
     list.emplace_back("SOURCE", plan.anisotropic ? 2 : glows ? 1 : 0);
     list.emplace_back("EMISSION", plan.emits && (sharp || plan.anisotropic));

@@ -113,7 +113,7 @@ void onSurface(inout Path path, inout Load load, Interface at) {
 }
 
 uint branchOf(Interface at, Outgoing ray) {
-    vec3 direction = directionIn(regionOf(ray.objects), ray.mode, ray.w, 1.0);
+    vec3 direction = directionIn(regionOf(ray.objects), ray.mode, at.x, ray.w, 1.0);
     return (dot(direction, at.normal) < 0.0 ? 1u : 0u) | (ray.mode == kExtraordinary ? 2u : 0u);
 }
 

@@ -58,7 +58,7 @@ Interface interfaceAt(Path path, Hit hit) {
     vec3 x = path.ray.x;
     vec3 along = path.ray.w;
     int here = regionOf(path.objects);
-    if (isCrystal(here)) along = directionIn(here, path.mode, along, 1.0);
+    if (isCrystal(here)) along = directionIn(here, path.mode, x, along, 1.0);
     if (dot(along, normal) < 0.0) normal = -normal;
     ObjectSet after = objectsBeyond(path.objects, hit.object, x, along, normal);
     int there = regionOf(after);
@@ -144,7 +144,7 @@ int scatterMetal(Interface at, vec3 w, ObjectSet objects, float alpha, out Outgo
 // The rays into which one that arrives within `objects` parts: what is refracted first, if anything is.
 // Returns how many.
 int scatterAt(Interface at, vec3 arriving, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
-#if CRYSTALS == 1
+#if CRYSTALS > 0
     return scatterPolarised(at, arriving, objects, outgoing);
 #endif
     vec3 w = arriving * (at.n / length(arriving));

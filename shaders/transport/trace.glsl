@@ -60,10 +60,22 @@ void along(inout Path path, inout Load load, int region, vec3 direction, float e
     }
 }
 
+// What both waves of a crystal, together, do to each other on a straight way that ends where the path is.
+void turnTogether(inout Path path, int region, vec3 start, vec3 direction) {
+#if CRYSTALS == 2
+    if (crystalVaries(region)) {
+        path.polarisation = polarisedAlong(region, path.polarisation, start, path.ray.x - start);
+        return;
+    }
+#endif
+    float phase = phaseAlong(region, direction, length(path.ray.x - start));
+    path.polarisation.yz = complexProduct(path.polarisation.yz, vec2(cos(phase), sin(phase)));
+}
+
 // To the next interface or face through an index that does not vary.
 Hit propagateStraight(inout Path path, inout Load load, int region) {
     float n = indexOf(region, path.ray.x);
-    vec3 direction = directionIn(region, path.mode, path.ray.w, n);
+    vec3 direction = directionIn(region, path.mode, path.ray.x, path.ray.w, n);
     Hit hit = noHit(timeToFace(path.ray.x, direction));
     if (kObjects > 0)
         hit = intersectStraight(path.ray.x, direction, hit.s, path.objects, path.departs);
@@ -77,11 +89,7 @@ Hit propagateStraight(inout Path path, inout Load load, int region) {
         hit.object = -1;
     }
     path.departs = 0.0;
-    if (isCrystal(region) && path.mode == kTogether) {
-        float phase = phaseAlong(region, direction, length(path.ray.x - start));
-        vec2 turn = vec2(cos(phase), sin(phase));
-        path.polarisation.yz = complexProduct(path.polarisation.yz, turn);
-    }
+    if (isCrystal(region) && path.mode == kTogether) turnTogether(path, region, start, direction);
     if (kMeasures) {
         double extent = length(dvec3(path.ray.x) - dvec3(start));
         double index = double(n);
@@ -296,6 +304,8 @@ Hit propagateBent(inout Path path, inout Load load, int region) {
     return hit;
 }
 
+#include "transport/varying_rays.glsl"
+
 // Through or back at an interface. What goes through a coat is on its base, still among the objects before it.
 void scatterAndLand(inout Path path, inout Load load, Interface at, bool coated) {
     ObjectSet before = path.objects;
@@ -330,6 +340,10 @@ bool advance(inout Path path, inout Load load) {
     if (path.status == kAlive) {
         int region = regionOf(path.objects);
         Hit hit = noHit(0.0);
+#if CRYSTALS == 2
+        if (bendsIn(region, path.mode)) hit = propagateVarying(path, load, region);
+        else
+#endif
         if (indexVariesIn(region)) hit = propagateBent(path, load, region);
         else hit = propagateStraight(path, load, region);
         if (kObjects > 0 && hit.object >= 0) cross(path, load, hit);

@@ -51,6 +51,20 @@ inline volume::Volume crystalVolume(const glm::ivec3& size, const std::vector<Cr
     return volume;
 }
 
+/// Adds a grid of values at voxels' middles [unit], one of the contract that has so many components.
+inline void putField(volume::Volume& volume, const std::string& grid, const glm::ivec3& size,
+                     int components, const std::function<glm::dvec3(glm::dvec3)>& value) {
+    volume::DenseGrid dense{size, components, {}};
+    forEachVoxel(size, [&](glm::ivec3 p) {
+        const glm::dvec3 v = value(glm::dvec3(p) + 0.5);
+        for (int c = 0; c < components; ++c) dense.values.push_back(static_cast<float>(v[c]));
+    });
+    volume::PutOptions options;
+    options.background = glm::vec3(1);
+    options.allActive = true;
+    volume.put(grid, {glm::ivec3(0), size - 1}, dense, options);
+}
+
 inline double boxDistance(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
     const glm::dvec3 out = glm::max(low - p, p - high);
     return std::max(out.x, std::max(out.y, out.z));

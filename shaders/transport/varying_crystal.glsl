@@ -1,0 +1,97 @@
+// Crystals that vary within: look-ups, and what they do to the polarisation of both waves together.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Included where regions' parameters are declared.
+
+#if CRYSTALS == 2
+#include "lib/varying_crystal.glsl"
+
+// Coefficients of cubic B-splines, from two voxels before the box that all such crystals are in.
+layout(binding = kCrystalsUnit) uniform sampler3D crystals;           // D_xx, D_yy, D_zz, n_o
+layout(binding = kMixedCrystalsUnit) uniform sampler3D mixedCrystals; // D_yz, D_zx, D_xy
+
+bool crystalVaries(int region) {
+    return scene.regions[region].albedo.w > 0.0 && isCrystal(region);
+}
+
+// Whether its o-rays bend.
+bool bendsOrdinary(int region) {
+    return scene.regions[region].albedo.w == 2.0 && isCrystal(region);
+}
+
+VaryingCrystal varyingCrystalAt(int region, vec3 x, vec3 k) {
+    ivec3 last = textureSize(crystals, 0) - 5;
+    vec3 at = clamp(x - scene.crystals.xyz, vec3(-0.999), vec3(last) + 0.999);
+    vec3 cell = floor(at);
+    vec3 t = at - cell;
+    vec4 wx = splineWeights(t.x);
+    vec4 wy = splineWeights(t.y);
+    vec4 wz = splineWeights(t.z);
+    vec4 sx = splineSlopes(t.x);
+    vec4 sy = splineSlopes(t.y);
+    vec4 sz = splineSlopes(t.z);
+    vec3 pureK = k * k;
+    vec3 mixedK = 2.0 * k.yzx * k.zxy;
+    ivec3 first = ivec3(cell) + 1;
+    vec4 pure = vec4(0.0);
+    vec3 mixed = vec3(0.0);
+    vec3 slopeO = vec3(0.0);
+    vec3 slopeT = vec3(0.0);
+    vec3 slopeKK = vec3(0.0);
+    for (int c = 0; c < 4; ++c)
+        for (int b = 0; b < 4; ++b)
+            for (int a = 0; a < 4; ++a) {
+                vec4 p = texelFetch(crystals, first + ivec3(a, b, c), 0);
+                vec3 m = texelFetch(mixedCrystals, first + ivec3(a, b, c), 0).xyz;
+                vec3 slope = vec3(sx[a] * wy[b] * wz[c], wx[a] * sy[b] * wz[c], wx[a] * wy[b] * sz[c]);
+                float weight = wx[a] * wy[b] * wz[c];
+                pure += weight * p;
+                mixed += weight * m;
+                slopeO += p.w * slope;
+                slopeT += (p.x + p.y + p.z) * slope;
+                slopeKK += (dot(p.xyz, pureK) + dot(m, mixedK)) * slope;
+            }
+    RegionParams here = scene.regions[region];
+    float scale = 1.0; // of D, by the wavelength
+    if (kDisperses) {
+        float o = dispersed(here.index.x, here.index.w);
+        float e = dispersed(here.axis.w, here.extraordinary.w);
+        scale = (e - o) * (e + o) / ((here.axis.w - here.index.x) * (here.axis.w + here.index.x));
+    }
+    return VaryingCrystal(dispersed(pure.w, here.index.w), scale * pure.xyz, scale * mixed, slopeO,
+                          scale * slopeT, scale * slopeKK);
+}
+
+// What is isotropic there has an axis of 0.
+Uniaxial varyingUniaxialAt(int region, vec3 x) {
+    VaryingCrystal here = varyingCrystalAt(region, x, vec3(0.0));
+    vec3 axis = axisOf(here.pure, here.mixed);
+    float more = dot(axis, timesD(here.pure, here.mixed, axis));
+    return Uniaxial(here.o, sqrt(here.o * here.o + more), axis);
+}
+
+// How the polarisation of both waves together turns on a way that is straight or nearly, from where it is `s` by
+// acrossOf(d) and g.
+vec3 polarisedAlong(int region, vec3 s, vec3 x, vec3 along) {
+    RegionParams here = scene.regions[region];
+    float extent = length(along);
+    if (extent == 0.0) return s;
+    vec3 d = along / extent;
+    vec3 f = acrossOf(d);
+    vec3 g = cross(f, d);
+    const float kMostTurn = 0.6; // of a piece [rad]
+    float wave = transport.tolerance.z / wavelength();
+    float most = wave * abs(here.axis.w - here.index.x);
+    int pieces = int(ceil(max(extent, extent * most / kMostTurn)));
+    float piece = extent / float(pieces);
+    const float kGauss = 0.28867513459481287; // √3/6
+    for (int i = 0; i < pieces; ++i) {
+        float middle = (float(i) + 0.5) * piece;
+        vec3 before = x + (middle - kGauss * piece) * d;
+        vec3 behind = x + (middle + kGauss * piece) * d;
+        s = polarisedOn(s, wave * retardance(varyingCrystalAt(region, before, vec3(0.0)), f, g),
+                        wave * retardance(varyingCrystalAt(region, behind, vec3(0.0)), f, g), piece);
+    }
+    return s;
+}
+#endif
