@@ -60,8 +60,7 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
         vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.coefficientPages(), 1)), 0);
     for (size_t r = 0; r < scene.regions.size(); ++r) {
         const Region& region = scene.regions[r];
-        values.regions[r] =
-            paramsOf(region, h, scene.worldFromVoxelTurn(), page.z * pages, page.z);
+        values.regions[r] = paramsOf(region, h, scene.worldFromVoxelTurn(), page.z * pages, page.z);
         pages += region.coefficientPages();
     }
     if (areMany(scene.objects)) {
@@ -93,17 +92,19 @@ void Boundaries::makeCoefficients(gpu::Device& device, const Scene& scene, float
     const auto rgb = [h](const Values& values, const ivec3& voxel, float* out) {
         for (int c = 0; c < 3; ++c) out[c] = values.at(voxel, c) * h;
     };
-    mCoefficients[0] =
-        makePages(device, scene, false, [&](const Region& r, bool along, const ivec3& i, float* out) {
-            rgb(along ? r.absorptionExtraordinary : r.absorption, i, out);
-            out[3] = r.anisotropy.at(i, 0);
-        });
+    mCoefficients[0] = makePages(device, scene, false,
+                                 [&](const Region& r, bool along, const ivec3& i, float* out) {
+                                     rgb(along ? r.absorptionExtraordinary : r.absorption, i, out);
+                                     out[3] = r.anisotropy.at(i, 0);
+                                 });
     mCoefficients[1] =
-        makePages(device, scene, true,
-                  [&](const Region& r, bool, const ivec3& i, float* out) { rgb(r.scattering, i, out); });
+        makePages(device, scene, true, [&](const Region& r, bool, const ivec3& i, float* out) {
+            rgb(r.scattering, i, out);
+        });
     mCoefficients[2] =
-        makePages(device, scene, true,
-                  [&](const Region& r, bool, const ivec3& i, float* out) { rgb(r.emission, i, out); });
+        makePages(device, scene, true, [&](const Region& r, bool, const ivec3& i, float* out) {
+            rgb(r.emission, i, out);
+        });
 }
 
 void Boundaries::bind() const {

@@ -86,8 +86,8 @@ CrystalField::CrystalField(gpu::Device& device, const Scene& scene) {
     for (int z = 0; z < outer.z; ++z)
         for (int y = 0; y < outer.y; ++y)
             for (int x = 0; x < outer.x; ++x) {
-                const ivec3 voxel = glm::clamp(box.min + ivec3(x, y, z) - kMargin, ivec3(0),
-                                               scene.size() - 1);
+                const ivec3 voxel =
+                    glm::clamp(box.min + ivec3(x, y, z) - kMargin, ivec3(0), scene.size() - 1);
                 const Parts parts =
                     partsOf(scene.regions[nearestTo(scene, voxel)], voxel, voxelFromFile);
                 for (size_t i = 0; i < kParts; ++i)

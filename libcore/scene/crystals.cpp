@@ -16,9 +16,9 @@ namespace eikonal::scene {
 namespace {
 
 bool isAsGlass(const Region& region) {
-    const bool alike = region.absorbsAlike ||
-                       (region.coefficientPages() == 0 &&
-                        region.absorptionExtraordinary.value == region.absorption.value);
+    const bool alike =
+        region.absorbsAlike || (region.coefficientPages() == 0 &&
+                                region.absorptionExtraordinary.value == region.absorption.value);
     return region.crystal->index == region.index.value.x &&
            region.crystal->dispersion == region.dispersion.value.x && alike;
 }
@@ -27,7 +27,8 @@ struct Indices {
     float ordinary, extraordinary;
 };
 
-/// Those that are furthest apart, of where rays may look. Throws DataError for an axis that is none.
+/// Those that are furthest apart, of where rays may look. Throws DataError for an axis that is
+/// none.
 Indices furthestApart(const Scene& scene, const Region& region, const Object& object) {
     const float kLooked = 3; // beyond its boundary [voxel]
     Indices found{region.index.at(object.inside.min, 0), region.index.at(object.inside.min, 0)};
@@ -42,9 +43,9 @@ Indices furthestApart(const Scene& scene, const Region& region, const Object& ob
                 if (!volume::isAxis(axis)) {
                     const glm::ivec3 place = voxel + scene.domain.min;
                     throw DataError(scene.path + ": grid 'axis' of '" + region.name + "': voxel (" +
-                                    std::to_string(place.x) + ", " + std::to_string(place.y) + ", " +
-                                    std::to_string(place.z) + ") has the length " +
-                                    toText(glm::length(axis)) +
+                                    std::to_string(place.x) + ", " + std::to_string(place.y) +
+                                    ", " + std::to_string(place.z) + ") has the length " +
+                                    toText(static_cast<float>(glm::length(axis))) +
                                     ", expected 1 to a thousandth, or 0: none");
                 }
                 const Indices here{region.index.at(voxel, 0),
@@ -134,10 +135,10 @@ void refuseStrayCrystalGrids(const Files& files, bool sharp) {
                 throw DataError(has + "it within level sets alone (sdf): crystals are traced by "
                                       "--boundary sharp");
             // As readRegion() takes them: those of an object's own where its index is its own.
-            const bool isSomeones = std::any_of(
-                objects.begin(), objects.end(), [&](const volume::ObjectFacts& object) {
-                    const bool own = !object.name.empty() &&
-                                     volume->has(volume::ownGrid("ior", object.name));
+            const bool isSomeones =
+                std::any_of(objects.begin(), objects.end(), [&](const volume::ObjectFacts& object) {
+                    const bool own =
+                        !object.name.empty() && volume->has(volume::ownGrid("ior", object.name));
                     return dot == std::string::npos
                                ? !own
                                : own && grid.name.substr(dot + 1) == object.name;

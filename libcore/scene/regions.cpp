@@ -143,8 +143,9 @@ void readCrystal(Region& region, const volume::ObjectFacts& facts, const Reader&
     if (!facts.crystal) {
         if (!axis && !index && !absorption) return;
         const auto requireWith = [&](const char* missing, bool found) {
-            const std::string there = axis ? "axis" : index ? "ior_extraordinary"
-                                                            : "absorption_extraordinary";
+            const std::string there = axis    ? "axis"
+                                      : index ? "ior_extraordinary"
+                                              : "absorption_extraordinary";
             if (!found)
                 throw DataError(read.path() + ": '" + region.name + "' has a grid '" + there +
                                 "' and none of '" + missing + "', expected both, of one crystal");
@@ -222,9 +223,8 @@ RegionParams paramsOf(const Region& region, float voxelSize, const glm::dmat3& t
         vec4(region.absorption.value * voxelSize, pages > 0 ? static_cast<float>(page) : -1);
     params.scattering = vec4(region.scattering.value * voxelSize, region.anisotropy.value.x);
     const float along = pages > 1 ? static_cast<float>(page + texels) : -1;
-    params.emission =
-        vec4(region.emission.value * voxelSize,
-             region.absorbsAlike && region.absorption.varies() ? kAsOrdinary : along);
+    params.emission = vec4(region.emission.value * voxelSize,
+                           region.absorbsAlike && region.absorption.varies() ? kAsOrdinary : along);
     const bool varies = region.crystalVaries();
     params.albedo = vec4(region.albedo.value, !varies ? 0 : region.index.varies() ? 2 : 1);
     params.reflectance = vec4(region.reflectance.value, region.roughness);

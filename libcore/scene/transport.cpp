@@ -35,7 +35,9 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"METALS", scene.anyMetal()},
             {"ROUGH", scene.anyRough()},
             {"COATS", scene.firstCoated() != nullptr},
-            {"CRYSTALS", scene.anyVaryingCrystal() ? 2 : scene.anyCrystal() ? 1 : 0}};
+            {"CRYSTALS", scene.anyVaryingCrystal() ? 2
+                         : scene.anyCrystal()      ? 1
+                                                   : 0}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

@@ -28,7 +28,8 @@ constexpr std::array<GridRule, 16> kRules{{
     {"opacity", kScalar, 0, 1, false, false, "0 to 1"},
     {"albedo", kVector, 0, 1, false, false, "0 to 1"},
     {"reflectance", kVector, 0, kMost, false, false, ">= 0"},
-    {"axis", kVector, -kMost, kMost, false, false, "a finite number"}, // scene::settleCrystals() sees to more
+    {"axis", kVector, -kMost, kMost, false, false,
+     "a finite number"}, // scene::settleCrystals() sees to more
     {"ior_extraordinary", kScalar, 1, kMost, false, false, "1 or more"},
     {"absorption_extraordinary", kVector, 0, kMost, false, false, ">= 0"},
     {"sdf", kScalar, -kMost, kMost, false, false, "a finite number"},

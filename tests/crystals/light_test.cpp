@@ -1,6 +1,7 @@
 // Photons and beams through crystals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/error.h"
+#include "judge/varying_crystal.h"
 #include "support/crystal_volume.h"
 #include "support/lit.h"
 
@@ -90,6 +91,56 @@ TEST(CrystalLight, ModesAreAbsorbedByTheirOwn) {
         const Lit lit(boxOverWall({1, 0, 0}, 0.05, 0.01), params);
         EXPECT_NEAR(meanBetween(lit.result.irradiance, 19, 29),
                     0.5 * (through(kO, 0.05) + through(kE, 0.01)), 0.01);
+    }
+}
+
+TEST(CrystalLight, RaysTurnWhereTheAxisDoes) {
+    // Half of the light straight on, half where the judge's e-ray of the light's middle lands.
+    const auto at = [](const dvec3& x) {
+        const double a = (0.2 + 0.9 * (x.y - 12) / 20);
+        return judge::Tensor{kO, kE + 0.002 * (x.z - 24), {std::sin(a), std::cos(a), 0.3}};
+    };
+    const ivec3 size(48, 40, 48);
+    volume::Volume volume = boxOverWall({0, 1, 0});
+    putField(volume, "axis.box", size, 3, [&](dvec3 x) { return glm::normalize(at(x).axis); });
+    putField(volume, "ior_extraordinary.box", size, 1, [&](dvec3 x) { return dvec3(at(x).e); });
+    const dvec3 entry(24, kHigh.y, 24);
+    dvec3 landed(0);
+    double shares[2] = {0, 0}; // of o and e, but for what is reflected within
+    for (const dvec3& field : {dvec3(1, 0, 0), dvec3(0, 0, 1)})
+        for (const judge::LightWave& w : judge::scattered(
+                 judge::isotropicWave(1, {0, -1, 0}, field), {0, -1, 0}, {}, at(entry))) {
+            if (!w.beyond) continue;
+            const judge::CrystalRay end = judge::throughCrystal(
+                at, w.mode, entry, w.k, [](const dvec3& x) { return kLow.y - x.y; }, 0.1);
+            const judge::LightWave wave =
+                judge::crystalWave(at(end.x), w.mode, glm::normalize(end.k));
+            for (const judge::LightWave& out : judge::scattered(wave, {0, -1, 0}, at(end.x), {})) {
+                if (!out.beyond) continue;
+                shares[w.mode == 'e'] += 0.5 * w.power * out.power;
+                if (w.mode == 'e') landed = end.x + (kWall - kLow.y) / out.ray.y * out.ray;
+            }
+        }
+    ASSERT_GT(std::abs(landed.x - 24),
+              0.5); // which no straight way tells: both ends' walk-offs differ
+    const dvec3 expected = (shares[0] * entry + shares[1] * landed) / (shares[0] + shares[1]);
+    for (const Method method : {Method::photons, Method::beams}) {
+        Params params = onWall(method == Method::photons ? 1 << 17 : 1 << 13);
+        params.method = method;
+        const Lit lit(volume, params);
+        dvec3 middle(0);
+        double sum = 0;
+        const volume::FineGrid& grid = lit.result.irradiance;
+        for (size_t i = 0; i < grid.voxels.size(); ++i) {
+            const dvec3 x = dvec3(grid.voxels[i]) + 0.5;
+            if (x.y < 3 || glm::length(glm::dvec2(x.x - 24, x.z - 24)) > 18) continue;
+            middle += static_cast<double>(grid.values[i].x) * x;
+            sum += static_cast<double>(grid.values[i].x);
+        }
+        middle /= sum;
+        // Beside these, what is reflected within and lands further aside, a four-hundredth.
+        EXPECT_NEAR(middle.x, expected.x, 0.02);
+        EXPECT_NEAR(middle.z, expected.z, 0.02);
     }
 }
 

@@ -38,8 +38,12 @@ State slopeOf(const Crystals& at, char mode, const State& s) {
     for (int i = 0; i < 3; ++i) {
         Vector step(0);
         step[i] = h;
-        slope.x[i] = (hamiltonian(at, mode, s.x, s.k + step) - hamiltonian(at, mode, s.x, s.k - step)) / (2 * h);
-        slope.k[i] = (hamiltonian(at, mode, s.x - step, s.k) - hamiltonian(at, mode, s.x + step, s.k)) / (2 * h);
+        slope.x[i] =
+            (hamiltonian(at, mode, s.x, s.k + step) - hamiltonian(at, mode, s.x, s.k - step)) /
+            (2 * h);
+        slope.k[i] =
+            (hamiltonian(at, mode, s.x - step, s.k) - hamiltonian(at, mode, s.x + step, s.k)) /
+            (2 * h);
     }
     return slope;
 }

@@ -13,7 +13,7 @@ using Crystals = std::function<Tensor(const dvec3&)>;
 
 /// Where a ray is.
 struct CrystalRay {
-    dvec3 x, k;      ///< k in units of ω/c
+    dvec3 x, k;       ///< k in units of ω/c
     double drift = 0; ///< of H from its first value, the largest
 };
 

@@ -51,7 +51,8 @@ inline volume::Volume crystalVolume(const glm::ivec3& size, const std::vector<Cr
     return volume;
 }
 
-/// Adds a grid of values at voxels' middles [unit], one of the contract that has so many components.
+/// Adds a grid of values at voxels' middles [unit], one of the contract that has so many
+/// components.
 inline void putField(volume::Volume& volume, const std::string& grid, const glm::ivec3& size,
                      int components, const std::function<glm::dvec3(glm::dvec3)>& value) {
     volume::DenseGrid dense{size, components, {}};
