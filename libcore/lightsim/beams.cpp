@@ -66,7 +66,7 @@ std::int64_t cellsOf(const Params& params) {
 }
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
-    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
+    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing, plan.polarised);
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
     switches.emplace_back("EXTENDED", plan.sourcesDiffer);
@@ -110,7 +110,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mSort(device, "lightsim/beam_sort.comp.glsl",
             {{"CHANNELS", plan.tracedChannels()},
              {"CULLS", !plan.points.empty()},
-             {"CRYSTALS", plan.scene.anyCrystal()}}),
+             {"CRYSTALS", plan.polarises()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
       mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
       mCut(device, "lightsim/beam_cut.comp.glsl", {}),
@@ -121,7 +121,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mSeed(params.seed), mBranchBits(plan.scene.anyCrystal() ? 2 : 1),
+      mMapCells(cellsOf(params)), mSeed(params.seed), mBranchBits(plan.polarises() ? 2 : 1),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -392,6 +392,7 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     mParams.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
     mParams.axis = axisOf(window.source);
     mParams.cone = coneOf(window.source);
+    mParams.polarizer = vec4(window.source.polarizer, 0);
     const glm::dvec2 cell = 1.0 / glm::dvec2(window.pixels);
     mParams.batch =
         vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(mParams.levels.x));

@@ -3,8 +3,8 @@
 //
 // After Barczak and Olano (hierarchical light volumes) and Liktor and Dachsbacher 2011 (adaptive
 // beam tracing): a quadtree over the light's map, whose cells split until what is inside them
-// follows from their corners. Every kind of path, which is a list of the branches taken at interfaces,
-// is a tree of its own. No random number decides where light goes.
+// follows from their corners. Every kind of path, which is a list of the branches taken at
+// interfaces, is a tree of its own. No random number decides where light goes.
 #pragma once
 
 #include "lightsim/media.h"

@@ -20,7 +20,9 @@ double tauOf(const Scene& scene, double step) {
 
 } // namespace
 
-gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing) {
+gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing,
+                                bool polarised) {
+    const int crystals = scene.anyVaryingCrystal() ? 2 : scene.anyCrystal() || polarised ? 1 : 0;
     const bool bends = scene.index.varies();
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
@@ -35,9 +37,7 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"METALS", scene.anyMetal()},
             {"ROUGH", scene.anyRough()},
             {"COATS", scene.firstCoated() != nullptr},
-            {"CRYSTALS", scene.anyVaryingCrystal() ? 2
-                         : scene.anyCrystal()      ? 1
-                                                   : 0}};
+            {"CRYSTALS", crystals}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

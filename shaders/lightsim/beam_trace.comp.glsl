@@ -232,6 +232,7 @@ Path pathFromLight(ivec2 map) {
         path.status = kNone;
         return path;
     }
+    if (kCrystals) path.polarisation = polarisedAcross(params.polarizer.xyz, direction);
     path.objects = objectsAt(path.ray.x, direction, within);
     path.ray.w *= indexOf(regionOf(path.objects), path.ray.x);
     return path;

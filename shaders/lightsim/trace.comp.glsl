@@ -182,10 +182,8 @@ Path pathOf(Photon photon, uint id) {
         path.departs = photon.place.w;
     }
 #if CRYSTALS > 0
-    if (steps > 0u) { // what starts is unpolarised
-        path.mode = int(polarisations[id].w);
-        path.polarisation = polarisations[id].xyz;
-    }
+    path.mode = int(polarisations[id].w);
+    path.polarisation = polarisations[id].xyz;
 #endif
     path.steps = int(steps);
     path.error = photon.wave.w;

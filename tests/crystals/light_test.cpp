@@ -144,10 +144,74 @@ TEST(CrystalLight, RaysTurnWhereTheAxisDoes) {
     }
 }
 
+TEST(CrystalLight, APolariserLetsOneImageThrough) {
+    // The axis in the plane of x and y: E along x is the e-wave's, along z the o-wave's.
+    const double e = std::sqrt(2 / (1 / (kO * kO) + 1 / (kE * kE)));
+    for (const Method method : {Method::photons, Method::beams})
+        for (const dvec3& along : {dvec3(1, 0, 0), dvec3(0, 0, 1)}) {
+            Params params = onWall(method == Method::photons ? 1 << 18 : 1 << 14);
+            params.method = method;
+            params.lights[0].polarizer = along;
+            const Lit lit(boxOverWall({1, 1, 0}), params);
+            const volume::FineGrid& grid = lit.result.irradiance;
+            const bool extraordinary = along.x == 1;
+            EXPECT_NEAR(meanBetween(grid, 19, 29), through(extraordinary ? e : kO), 0.02);
+            // Each is alone where the other's disc is not.
+            const double left = meanBetween(grid, 12.2, 13.7),
+                         right = meanBetween(grid, 34.3, 35.7);
+            EXPECT_NEAR(std::min(left, right), 0, 0.02);
+            EXPECT_NEAR(std::max(left, right), extraordinary ? through(e) : 0.0, 0.05);
+        }
+}
+
+TEST(CrystalLight, ADichroicPlateFollowsMalus) {
+    const double sigma = 0.5; // of the o-wave, which is all gone then
+    for (const Method method : {Method::photons, Method::beams})
+        for (const double degrees : {0.0, 30.0, 60.0, 90.0}) {
+            Params params = onWall(method == Method::photons ? 1 << 17 : 1 << 14);
+            params.method = method;
+            const double angle = degrees * 3.141592653589793 / 180;
+            params.lights[0].polarizer = {std::cos(angle), 0.4, std::sin(angle)};
+            const Lit lit(boxOverWall({1, 0, 0}, sigma, 0), params);
+            EXPECT_NEAR(meanBetween(lit.result.irradiance, 19, 29),
+                        std::pow(std::cos(angle), 2) * through(kE), 0.01)
+                << degrees;
+        }
+}
+
+TEST(CrystalLight, GlassAtBrewstersAngleReflectsOnePolarisation) {
+    const double n = 1.5, cosine = 1 / std::sqrt(1 + n * n);
+    const volume::Volume volume = crystalVolume(
+        ivec3(48, 24, 48), {{"box",
+                             [](dvec3 p) {
+                                 return boxDistance(p, {4, 9, 4}, {44, 15, 44});
+                             },
+                             n},
+                            {"wall", [](dvec3 p) { return p.y - kWall; }, 1, {}, 0, 0}});
+    const double Rs = std::pow((n * n - 1) / (n * n + 1), 2);
+    for (const Method method : {Method::photons, Method::beams})
+        for (const char* along : {"0,1,0", "0,0,1"}) {
+            Params params = paramsOf(
+                {parseLight(std::string("directional:1.5,-1,0:2:polarizer=") + along)}, method == Method::photons ? 1 << 20 : 1 << 15);
+            params.outputs = Output::irradiance;
+            params.surfaceDetail = 1;
+            params.method = method;
+            const Lit lit(volume, params);
+            EXPECT_NEAR(meanBetween(lit.result.irradiance, 22, 34) / cosine,
+                        along[2] == '1' ? 1 : (1 - Rs) / (1 + Rs), 0.01)
+                << along << (method == Method::beams);
+        }
+}
+
 TEST(CrystalLight, WhatIsNotTracedIsRefused) {
     Params params = onWall(1 << 10);
     params.method = Method::wavefront;
     EXPECT_THROW(makePlan(boxOverWall({1, 1, 0}), params), UsageError);
+    params.lights[0].polarizer = {0, 0, 1};
+    const volume::Volume glass =
+        crystalVolume(ivec3(24), {{"ball", [](dvec3 p) { return glm::length(p - 12.0) - 8; }, 1.5},
+                                  {"wall", [](dvec3 p) { return p.y - 3; }, 1, {}, 0, 0.5}});
+    EXPECT_THROW(makePlan(glass, params), UsageError);
     params = paramsOf({lamp({24, 20, 24})});
     EXPECT_THROW(makePlan(boxOverWall({1, 1, 0}), params), DataError);
 }
