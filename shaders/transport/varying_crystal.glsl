@@ -73,24 +73,31 @@ Uniaxial varyingUniaxialAt(int region, vec3 x) {
 // How the polarisation of both waves together turns on a way that is straight or nearly, from where it is `s` by
 // acrossOf(d) and g.
 vec3 polarisedAlong(int region, vec3 s, vec3 x, vec3 along) {
-    RegionParams here = scene.regions[region];
+    const float kGauss = 0.28867513459481287; // √3/6
+    const float kBent = 0.05;  // what ω's turn on a piece may add to it [rad]
+    const float kLeast = 0.02; // [voxel]
     float extent = length(along);
-    if (extent == 0.0) return s;
-    vec3 d = along / extent;
+    vec3 d = along / max(extent, 1.0e-20);
     vec3 f = acrossOf(d);
     vec3 g = cross(f, d);
-    const float kMostTurn = 0.6; // of a piece [rad]
     float wave = transport.tolerance.z / wavelength();
-    float most = wave * abs(here.axis.w - here.index.x);
-    int pieces = int(ceil(max(extent, extent * most / kMostTurn)));
-    float piece = extent / float(pieces);
-    const float kGauss = 0.28867513459481287; // √3/6
-    for (int i = 0; i < pieces; ++i) {
-        float middle = (float(i) + 0.5) * piece;
-        vec3 before = x + (middle - kGauss * piece) * d;
-        vec3 behind = x + (middle + kGauss * piece) * d;
-        s = polarisedOn(s, wave * retardance(varyingCrystalAt(region, before, vec3(0.0)), f, g),
-                        wave * retardance(varyingCrystalAt(region, behind, vec3(0.0)), f, g), piece);
+    float done = 0.0;
+    float next = 1.0;
+    while (done < extent) {
+        float piece = min(next, extent - done);
+        vec3 middle = x + (done + 0.5 * piece) * d;
+        vec3 off = (kGauss * piece) * d;
+        vec3 before = wave * retardance(varyingCrystalAt(region, middle - off, vec3(0.0)), f, g);
+        vec3 behind = wave * retardance(varyingCrystalAt(region, middle + off, vec3(0.0)), f, g);
+        // Where ω keeps its direction a piece of any length is exact.
+        float bent = piece * piece * length(cross(behind, before)) * max(piece * length(before + behind), 1.0);
+        if (bent < kBent || piece < kLeast) {
+            s = polarisedOn(s, before, behind, piece);
+            done = piece < next ? extent : done + piece;
+            next = min(2.0 * next, 1.0);
+        } else {
+            next = 0.5 * piece;
+        }
     }
     return s;
 }

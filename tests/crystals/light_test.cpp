@@ -191,8 +191,9 @@ TEST(CrystalLight, GlassAtBrewstersAngleReflectsOnePolarisation) {
     const double Rs = std::pow((n * n - 1) / (n * n + 1), 2);
     for (const Method method : {Method::photons, Method::beams})
         for (const char* along : {"0,1,0", "0,0,1"}) {
-            Params params = paramsOf(
-                {parseLight(std::string("directional:1.5,-1,0:2:polarizer=") + along)}, method == Method::photons ? 1 << 20 : 1 << 15);
+            Params params =
+                paramsOf({parseLight(std::string("directional:1.5,-1,0:2:polarizer=") + along)},
+                         method == Method::photons ? 1 << 20 : 1 << 15);
             params.outputs = Output::irradiance;
             params.surfaceDetail = 1;
             params.method = method;
