@@ -118,6 +118,36 @@ TEST(VaryingCrystal, RaysTurnAsHamiltonSays) {
     }
 }
 
+TEST(VaryingCrystal, AxesAreTheWorlds) {
+    // A volume that lies askew, and one that is placed so: all is as upright, but turned.
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), 0.6, glm::normalize(dvec3(1, 2, -0.5)));
+    const auto turned = [&](const dvec3& v) { return dvec3(turn * glm::dvec4(v, 0)); };
+    const auto boxPlaced = [&](const glm::dmat4& placed) {
+        volume::Volume volume = crystalVolume(
+            kSize, {{"box", [](dvec3 p) { return boxDistance(p, kLow, kHigh); }, 1.62, {}}}, 1,
+            placed);
+        putField(volume, "axis.box", kSize, 3,
+                 [&](dvec3 x) { return dvec3(placed * glm::dvec4(turning(x, false).axis, 0)); });
+        putField(volume, "ior_extraordinary.box", kSize, 1,
+                 [&](dvec3 x) { return dvec3(turning(x, false).e); });
+        return volume;
+    };
+    Params params = down(19.3, 20.6, 0.2);
+    params.polarizer = 40;
+    const Look upright(scene::Files(boxPlaced(glm::dmat4(1))), params);
+    params.camera.eye = turned(params.camera.eye);
+    params.camera.target = turned(params.camera.target);
+    params.camera.up = turned(params.camera.up);
+    const volume::Volume straight = boxPlaced(glm::dmat4(1));
+    scene::Files placed(straight);
+    placed.place(turn);
+    for (const Look& look : {Look(scene::Files(boxPlaced(turn)), params), Look(placed, params)}) {
+        EXPECT_LT(glm::length(look.direction() - turned(upright.direction())), 1e-5);
+        EXPECT_LT(glm::length(look.place() - turned(upright.place())), 1e-3);
+    }
+    EXPECT_GT(glm::length(upright.direction() - dvec3(0, -1, 0)), 0.01);
+}
+
 TEST(VaryingCrystal, ATwistedNematicCellIsAsGoochAndTarrySay) {
     // Gooch and Tarry 1975 (J. Phys. D 8:1575): T between the polarisers of a cell twisted by θ
     // whose first director is along the first one. Of an index near 1, so that little is reflected.

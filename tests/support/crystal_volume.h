@@ -22,8 +22,9 @@ inline volume::Crystal crystalOf(double index, const glm::dvec3& axis, double ab
 }
 
 inline volume::Volume crystalVolume(const glm::ivec3& size, const std::vector<CrystalPart>& parts,
-                                    double voxelSize = 1) {
-    TestVolume scene(size, voxelSize);
+                                    double voxelSize = 1,
+                                    const glm::dmat4& placed = glm::dmat4(1)) {
+    TestVolume scene(size, voxelSize, placed);
     scene.constant("ior", 1);
     volume::Volume volume = scene.take();
     int order = 0;
