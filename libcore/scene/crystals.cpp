@@ -62,14 +62,16 @@ Indices furthestApart(const Scene& scene, const Region& region, const Object& ob
 void settleGrids(const Scene& scene, Region& region, const Object& object) {
     if (object.inside.empty()) return;
     const Indices indices = furthestApart(scene, region, object);
-    region.crystal->index = indices.extraordinary;
-    if (!region.axis.varies()) {
-        const float length = glm::length(region.axis.value);
-        region.crystal->axis = length > 0 ? region.axis.value / length : glm::vec3(0, 0, 1);
+    if (region.axis.isZero()) {
+        region.crystal.reset();
+        region.absorptionExtraordinary = {};
+        return;
     }
+    region.crystal->index = indices.extraordinary;
+    if (!region.axis.varies()) region.crystal->axis = glm::normalize(region.axis.value);
     if (!region.crystalVaries()) return;
     if (indices.extraordinary == indices.ordinary) {
-        if (!region.absorbsAlike && !region.axis.isZero())
+        if (!region.absorbsAlike)
             throw DataError(scene.path + ": '" + region.name +
                             "' absorbs by its axis, which varies, expected an 'ior_extraordinary' "
                             "that is not 'ior' somewhere");

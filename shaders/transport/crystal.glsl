@@ -120,4 +120,16 @@ int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgo
     return addRays(at, frame, near, at.here, at.n, q, made.k.zw, sentOn(state, fromO.back, fromE.back), mirrors, objects,
                    count, outgoing);
 }
+
+// What both waves of a crystal, together, do to each other on a straight way that ends where the path is.
+void turnTogether(inout Path path, int region, vec3 start, vec3 direction) {
+#if CRYSTALS == 2
+    if (crystalVaries(region)) {
+        path.polarisation = polarisedAlong(region, path.polarisation, start, path.ray.x - start);
+        return;
+    }
+#endif
+    float phase = phaseAlong(region, direction, length(path.ray.x - start));
+    path.polarisation.yz = complexProduct(path.polarisation.yz, vec2(cos(phase), sin(phase)));
+}
 #endif

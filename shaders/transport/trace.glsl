@@ -60,18 +60,6 @@ void along(inout Path path, inout Load load, int region, vec3 direction, float e
     }
 }
 
-// What both waves of a crystal, together, do to each other on a straight way that ends where the path is.
-void turnTogether(inout Path path, int region, vec3 start, vec3 direction) {
-#if CRYSTALS == 2
-    if (crystalVaries(region)) {
-        path.polarisation = polarisedAlong(region, path.polarisation, start, path.ray.x - start);
-        return;
-    }
-#endif
-    float phase = phaseAlong(region, direction, length(path.ray.x - start));
-    path.polarisation.yz = complexProduct(path.polarisation.yz, vec2(cos(phase), sin(phase)));
-}
-
 // To the next interface or face through an index that does not vary.
 Hit propagateStraight(inout Path path, inout Load load, int region) {
     float n = indexOf(region, path.ray.x);
@@ -89,7 +77,9 @@ Hit propagateStraight(inout Path path, inout Load load, int region) {
         hit.object = -1;
     }
     path.departs = 0.0;
+#if CRYSTALS > 0
     if (isCrystal(region) && path.mode == kTogether) turnTogether(path, region, start, direction);
+#endif
     if (kMeasures) {
         double extent = length(dvec3(path.ray.x) - dvec3(start));
         double index = double(n);

@@ -1,12 +1,15 @@
 // Crystals that vary in space, against Hamilton's equations in long doubles, closed forms of liquid
 // crystals and stressed plates, and crystals that do not vary.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "judge/varying_crystal.h"
 #include "support/crystal_volume.h"
 #include "support/glass_volume.h"
 #include "support/look.h"
 #include "support/photoelastic.h"
+#include "support/scratch.h"
+#include "support/tool.h"
 
 using namespace eikonal;
 using namespace eikonal::view;
@@ -296,4 +299,24 @@ TEST(VaryingCrystal, WhatIsNotTracedIsRefused) {
     Params blurred = down();
     blurred.boundary = optics::Boundary::blurred;
     EXPECT_THROW(Look(boxOf(axis, one(1.5), one(1.6)), blurred), DataError);
+}
+
+class VaryingCrystalFiles : public ScratchTest {};
+
+TEST_F(VaryingCrystalFiles, BadOnesAreRefusedInOneLine) {
+    const Part axis = [](dvec3 x) { return x.y < 18 ? dvec3(1, 0, 0) : dvec3(0, 0, 1); };
+    const auto write = [&](const volume::Volume& volume) {
+        AtomicFile out(at("bad.vdb"));
+        volume.write(out, {"tester", "1", "tester"});
+        out.commit();
+    };
+    write(boxOf(axis, one(1.5), {}));
+    refused(65, {"bad.vdb", "none of 'ior_extraordinary'"},
+            "render bad.vdb -o out.exr --eye 0,0,90 --target 0,0,0 --fov 20 --size 4x4", folder);
+    write(boxOf(one(0.5), one(1.5), one(1.6)));
+    refused(65, {"bad.vdb", "grid 'axis'", "has the length 0.866"},
+            "lightsim bad.vdb -o out.vdb --light directional:0,-1,0", folder);
+    write(boxOf(axis, one(1.5), one(0.9)));
+    refused(65, {"bad.vdb", "ior_extraordinary", "expected 1 or more"},
+            "render bad.vdb -o out.exr --eye 0,0,90 --target 0,0,0 --fov 20 --size 4x4", folder);
 }
