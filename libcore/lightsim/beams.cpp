@@ -23,10 +23,10 @@ constexpr int kBatchCells = 512;
 // Cells along an edge of one that the map starts with.
 constexpr int kStart = 1 << kAimedLevels;
 
-// Most points of one kind of path that are kept at a time; beyond, cells are split in parts.
+// Most points of one generation that are kept at a time; beyond, cells are split in parts.
 constexpr std::int64_t kMostPoints = 3 << 18;
-// Cells split at a time beyond that.
-constexpr std::int64_t kPart = 1 << 14;
+// Cells split at a time beyond that, and sorted at a time.
+constexpr std::int64_t kPart = 1 << 14, kSorted = 1 << 16;
 
 // What one beam covers at most, along an axis [fine voxel], if it is worth more: its cells are laid
 // down exactly up to that (kLongest times kMostCells in shaders/lightsim/beam_cut.comp.glsl).
@@ -81,16 +81,14 @@ struct Beams::Nodes {
     std::int64_t count = 0;
 };
 
-/// One kind of path: its points, and the cells that go on from an interface.
-struct Beams::Kind {
-    std::uint32_t branches = 0; ///< bits, the first lowest
+/// All kinds of path that take as many branches: their points, and the cells that go on from an
+/// interface.
+struct Beams::Generation {
     int length = 0;
-    const Kind* before = nullptr;
     gpu::Buffer points, objects, marks, wanted, slots;
     std::int64_t capacity = 0, count = 0; ///< points there is room for, and those there are
     std::vector<Nodes> next;              ///< that go on
-    std::int64_t wantedCount = 0;
-    std::uint32_t nextBranches = 0; ///< bits of the branches that any of them takes
+    std::int64_t wantedCount = 0, branchCount = 0; ///< of points and of cells, each by a branch
 };
 
 struct Beams::Run {
@@ -100,7 +98,7 @@ struct Beams::Run {
     const gpu::Texture& leaves;
     const SurfaceReceiver& surfaces;
     gpu::Profiler& profiler;
-    double deposits = 0, missed = 0, beams = 0, points = 0, kinds = 0, culled = 0;
+    double deposits = 0, missed = 0, beams = 0, points = 0, culled = 0;
     bool nearFull = false;
 };
 
@@ -112,7 +110,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
              {"CULLS", !plan.points.empty()},
              {"CRYSTALS", plan.polarises()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
-      mFollow(device, "lightsim/beam_follow.comp.glsl", {}),
+      mFollow(device, "lightsim/beam_follow.comp.glsl", {{"CRYSTALS", plan.polarises()}}),
       mCut(device, "lightsim/beam_cut.comp.glsl", {}),
       mDeposit(device, "lightsim/beam_deposit.comp.glsl",
                {{"CHANNELS", plan.tracedChannels()}, {"SURFACE_FLOW", plan.sumsFlow()}}),
@@ -121,7 +119,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mSeed(params.seed), mBranchBits(plan.polarises() ? 2 : 1),
+      mMapCells(cellsOf(params)), mBranchBits(plan.polarises() ? 2 : 1),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -134,6 +132,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     mParams.size = ivec4(plan.scene.size(), detail);
     mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
     mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays / mBranchBits));
+    mParams.kind.w = params.seed;
     mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
     mParams.right.w = static_cast<float>(params.shadowCull);
 }
@@ -214,39 +213,41 @@ void Beams::aim(const Window& window, const Batch& batch) {
 }
 
 /// Makes room for so many points, and keeps those there are.
-void Beams::grow(Run& run, Kind& kind, std::int64_t points) {
-    if (points <= kind.capacity) return;
-    const std::int64_t capacity = std::max(points, kind.capacity * 3 / 2);
+void Beams::grow(Run& run, Generation& of, std::int64_t points) {
+    if (points <= of.capacity) return;
+    const std::int64_t capacity = std::max(points, of.capacity * 3 / 2);
     const auto enlarge = [&](gpu::Buffer& buffer, std::int64_t each, bool zero) {
         gpu::Buffer larger(run.device, capacity * each);
         if (zero) larger.clear();
-        if (kind.count > 0) larger.copyFrom(buffer, kind.count * each);
+        if (of.count > 0) larger.copyFrom(buffer, of.count * each);
         buffer = std::move(larger);
     };
-    enlarge(kind.points, kPointBytes, false);
-    enlarge(kind.marks, 4, true);
-    enlarge(kind.wanted, 4, false);
-    enlarge(kind.slots, 4, false);
-    if (mManyObjects) enlarge(kind.objects, kBytesPerSet, false);
-    kind.capacity = capacity;
+    enlarge(of.points, kPointBytes, false);
+    enlarge(of.marks, 4, true);
+    enlarge(of.slots, std::int64_t{4} << mBranchBits, false);
+    enlarge(of.wanted, std::int64_t{4} << mBranchBits, false);
+    if (mManyObjects) enlarge(of.objects, kBytesPerSet, false);
+    of.capacity = capacity;
 }
 
-void Beams::trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents) {
+/// Traces `items` points from the first on: from the light, or from those of the generation before.
+void Beams::trace(Run& run, Generation& of, std::int64_t items, std::int64_t first,
+                  const Generation* before) {
     mParams.list.x = static_cast<unsigned>(items);
     mParams.list.y = static_cast<unsigned>(first);
-    mParams.kind = uvec4(kind.branches, kind.length, fromParents ? 1 : 0, mSeed);
+    mParams.kind.y = static_cast<unsigned>(of.length);
+    mParams.kind.z = before != nullptr;
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
     run.transport.bind();
     run.media.bind();
     if (run.leaves.name() != 0) run.leaves.bindSampler(kLeavesUnit);
-    kind.points.bindStorage(kPointsBuffer);
-    if (mManyObjects) kind.objects.bindStorage(kObjectsBuffer);
-    if (fromParents) {
-        kind.before->points.bindStorage(kParentsBuffer);
-        kind.before->marks.bindStorage(kBranchesBuffer);
-        kind.before->wanted.bindStorage(kWantedBuffer);
-        if (mManyObjects) kind.before->objects.bindStorage(kParentObjectsBuffer);
+    of.points.bindStorage(kPointsBuffer);
+    if (mManyObjects) of.objects.bindStorage(kObjectsBuffer);
+    if (before != nullptr) {
+        before->points.bindStorage(kParentsBuffer);
+        before->wanted.bindStorage(kWantedBuffer);
+        if (mManyObjects) before->objects.bindStorage(kParentObjectsBuffer);
     }
     run.profiler.begin("beam rays");
     dispatchList(mTrace, items);
@@ -282,21 +283,29 @@ void Beams::layDown(Run& run, std::uint32_t beams) {
 }
 
 /// Lays cells down or lets them go on, and splits those that call for it, level by level.
-void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
-    if (nodes.count == 0) return;
-    gpu::Buffer beams(run.device, nodes.count * 4), splits(run.device, nodes.count * 4);
-    Nodes next{gpu::Buffer(run.device, nodes.count * kNodeBytes), 0};
+void Beams::level(Run& run, Generation& of, const Nodes& nodes) {
+    for (std::int64_t first = 0; first < nodes.count && !run.nearFull; first += kSorted) {
+        sort(run, of, nodes, first, std::min(kSorted, nodes.count - first));
+        if (of.wantedCount > kMostPoints) follow(run, of, false);
+    }
+}
+
+void Beams::sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begin,
+                 std::int64_t count) {
+    gpu::Buffer beams(run.device, count * 4), splits(run.device, count * 4);
+    Nodes next{gpu::Buffer(run.device, count * kNodeBytes), 0};
     std::array<std::uint32_t, kBeamCounts> counts{};
-    counts[kWantedCount] = static_cast<std::uint32_t>(kind.wantedCount);
+    counts[kWantedCount] = static_cast<std::uint32_t>(of.wantedCount);
     mCounts.upload(counts.data(), mCounts.bytes());
-    mParams.list.x = static_cast<unsigned>(nodes.count);
-    mParams.kind = uvec4(kind.branches, kind.length, 0, mSeed);
+    mParams.list.x = static_cast<unsigned>(count);
+    mParams.list.y = static_cast<unsigned>(begin);
+    mParams.kind.y = static_cast<unsigned>(of.length);
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
-    kind.points.bindStorage(kPointsBuffer);
-    kind.marks.bindStorage(kBranchesBuffer);
-    kind.wanted.bindStorage(kWantedBuffer);
-    kind.slots.bindStorage(kSlotsBuffer);
+    of.points.bindStorage(kPointsBuffer);
+    of.marks.bindStorage(kBranchesBuffer);
+    of.wanted.bindStorage(kWantedBuffer);
+    of.slots.bindStorage(kSlotsBuffer);
     run.surfaces.bindReceiving();
     nodes.list.bindStorage(kNodesBuffer);
     beams.bindStorage(kBeamsBuffer);
@@ -305,75 +314,79 @@ void Beams::level(Run& run, Kind& kind, const Nodes& nodes) {
     mCounts.bindStorage(kBeamCountsBuffer);
     mBooks.bindStorage(kBooksBuffer);
     run.profiler.begin("beam cells");
-    dispatchList(mSort, nodes.count);
+    dispatchList(mSort, count);
     mCounts.download(counts.data(), mCounts.bytes());
     run.profiler.end();
     run.culled += counts[kCulledCount];
-    kind.wantedCount = counts[kWantedCount];
-    kind.nextBranches |= counts[kNextBranches];
+    of.wantedCount = counts[kWantedCount];
+    of.branchCount += counts[kBranchCount];
     next.count = counts[kNextCount];
-    if (next.count > 0) kind.next.push_back(std::move(next));
+    if (next.count > 0) of.next.push_back(std::move(next));
     if (counts[kBeamCount] > 0) {
         run.profiler.begin("beams");
         layDown(run, counts[kBeamCount]);
         run.profiler.end();
     }
-    const std::int64_t all = counts[kSplitCount], kept = kind.count;
+    const std::int64_t all = counts[kSplitCount], kept = of.count;
     // Where its points would be too many, cells are split part by part: each is followed to its end
     // before its points give way to the next one's.
     const bool whole = kept + kNewPoints * all <= kMostPoints;
-    if (!whole && all > 0) follow(run, kind);
+    if (!whole && all > 0) follow(run, of, false);
     for (std::int64_t first = 0; first < all && !run.nearFull;) {
         const std::int64_t part = whole ? all : std::min(kPart, all - first);
-        grow(run, kind, kept + kNewPoints * part);
+        grow(run, of, kept + kNewPoints * part);
         Nodes children{gpu::Buffer(run.device, 4 * part * kNodeBytes), 4 * part};
         mParams.list = uvec4(part, first, kept, mParams.list.w);
         mBlock.upload(&mParams, sizeof mParams);
         mBlock.bindUniform(kParamsBlock);
-        kind.points.bindStorage(kPointsBuffer);
+        of.points.bindStorage(kPointsBuffer);
         nodes.list.bindStorage(kNodesBuffer);
         splits.bindStorage(kSplitsBuffer);
         children.list.bindStorage(kNextNodesBuffer);
         dispatchList(mSplit, part);
-        trace(run, kind, kNewPoints * part, kept, false);
-        kind.count = kept + kNewPoints * part;
-        level(run, kind, children);
+        trace(run, of, kNewPoints * part, kept, nullptr);
+        of.count = kept + kNewPoints * part;
+        level(run, of, children);
         if (!whole) {
-            follow(run, kind);
-            kind.count = kept;
+            follow(run, of, false);
+            of.count = kept;
         }
         first += part;
     }
 }
 
-/// All kinds of path that go on from the interfaces where cells of this one wait.
-void Beams::follow(Run& run, Kind& kind) {
-    if (kind.next.empty() || run.nearFull) return;
-    kind.slots.bindStorage(kSlotsBuffer);
-    for (const Nodes& nodes : kind.next) {
-        mParams.list.x = static_cast<unsigned>(nodes.count);
+/// Goes on from the interfaces where cells of this generation wait. At the last call for it its
+/// memory is freed.
+void Beams::follow(Run& run, Generation& of, bool last) {
+    if (of.next.empty() || run.nearFull) return;
+    Nodes nodes{gpu::Buffer(run.device, of.branchCount * kNodeBytes), of.branchCount};
+    std::array<std::uint32_t, kBeamCounts> counts{};
+    mCounts.upload(counts.data(), mCounts.bytes());
+    mCounts.bindStorage(kBeamCountsBuffer);
+    of.slots.bindStorage(kSlotsBuffer);
+    nodes.list.bindStorage(kNextNodesBuffer);
+    mParams.kind.y = static_cast<unsigned>(of.length);
+    for (const Nodes& waiting : of.next) {
+        mParams.list.x = static_cast<unsigned>(waiting.count);
         mBlock.upload(&mParams, sizeof mParams);
         mBlock.bindUniform(kParamsBlock);
-        nodes.list.bindStorage(kNodesBuffer);
-        dispatchList(mFollow, nodes.count);
+        waiting.list.bindStorage(kNodesBuffer);
+        dispatchList(mFollow, waiting.count);
     }
-    for (std::uint32_t branch = 0; branch < 1u << mBranchBits; ++branch) {
-        if ((kind.nextBranches >> branch & 1u) == 0) continue;
-        Kind after;
-        after.branches = kind.branches | branch << (kind.length * mBranchBits);
-        after.length = kind.length + 1;
-        after.before = &kind;
-        grow(run, after, kind.wantedCount);
-        after.count = kind.wantedCount;
-        run.kinds += 1;
-        trace(run, after, kind.wantedCount, 0, true);
-        for (const Nodes& nodes : kind.next) level(run, after, nodes);
-        follow(run, after);
-    }
-    kind.next.clear();
-    kind.wantedCount = 0;
-    kind.nextBranches = 0;
-    kind.marks.clear();
+    Generation after;
+    after.length = of.length + 1;
+    grow(run, after, of.wantedCount);
+    after.count = of.wantedCount;
+    trace(run, after, after.count, 0, &of);
+    of.next.clear();
+    of.wantedCount = 0;
+    of.branchCount = 0;
+    if (last)
+        of = {};
+    else
+        of.marks.clear();
+    level(run, after, nodes);
+    follow(run, after, true);
 }
 
 bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
@@ -400,20 +413,20 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     mParams.map.x = static_cast<float>(window.pixelArea() * away * away);
     mBooks.clear();
 
-    Kind kind;
+    Generation first;
     const std::int64_t cells = std::int64_t{mParams.levels.y} * mParams.levels.z;
     const std::int64_t points = std::int64_t{2 * mParams.levels.y + 1} * (2 * mParams.levels.z + 1);
-    grow(run, kind, points);
-    kind.count = points;
+    grow(run, first, points);
+    first.count = points;
     Nodes nodes{gpu::Buffer(device, cells * kNodeBytes), cells};
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
-    kind.points.bindStorage(kPointsBuffer);
+    first.points.bindStorage(kPointsBuffer);
     nodes.list.bindStorage(kNodesBuffer);
     dispatchList(mGrid, points);
-    trace(run, kind, points, 0, false);
-    level(run, kind, nodes);
-    follow(run, kind);
+    trace(run, first, points, 0, nullptr);
+    level(run, first, nodes);
+    follow(run, first, true);
     if (run.nearFull) return false;
 
     std::vector<std::uint32_t> books(static_cast<size_t>(kBooks) * kBookSlots * 3);
@@ -425,7 +438,6 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
               sums[kBookDeep],    sums[kBookTrapped], sums[kBookDim]};
     stats.count("beams", run.beams);
     stats.count("beam_points", run.points);
-    stats.count("beam_kinds", run.kinds);
     stats.count("beam_deposits", run.deposits);
     if (run.culled > 0) stats.count("beams_culled", run.culled);
     if (run.missed > 0) stats.count("beam_deposits_missed", run.missed);
@@ -440,9 +452,10 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
     const std::int64_t wanted = cellsOf(params);
     const std::int64_t cells =
         std::min<std::int64_t>(wanted > 0 ? wanted : kMostCells, kBatchCells * kBatchCells);
-    const std::int64_t point =
-        kPointBytes + 8 + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
-    // Of one kind of path, with those of cells that are split.
+    const std::int64_t branches = plan.scene.anyCrystal() ? 4 : 2;
+    const std::int64_t point = kPointBytes + 4 + 2 * 4 * branches +
+                               (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
+    // Of one generation, with those of cells that are split.
     return {{"the beams", std::min(16 * 4 * cells, kMostPoints) * point, true, 0},
             {"the beams' cells", kCellBytes * kBeamsPerCut * kCellsPerBeam, true, 0}};
 }

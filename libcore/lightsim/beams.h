@@ -46,23 +46,24 @@ public:
 
 private:
     struct Nodes;
-    struct Kind;
+    struct Generation;
     struct Run;
     std::vector<glm::dvec4> aimsIn(const Window& window) const;
     void aim(const Window& window, const Batch& batch);
-    void trace(Run& run, Kind& kind, std::int64_t items, std::int64_t first, bool fromParents);
+    void trace(Run& run, Generation& of, std::int64_t items, std::int64_t first,
+               const Generation* before);
     void layDown(Run& run, std::uint32_t beams);
-    void level(Run& run, Kind& kind, const Nodes& nodes);
-    void follow(Run& run, Kind& kind);
-    void grow(Run& run, Kind& kind, std::int64_t points);
+    void level(Run& run, Generation& of, const Nodes& nodes);
+    void sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begin, std::int64_t count);
+    void follow(Run& run, Generation& of, bool last);
+    void grow(Run& run, Generation& of, std::int64_t points);
 
     gpu::Program mGrid, mTrace, mSort, mSplit, mFollow, mCut, mDeposit;
     gpu::Buffer mBlock, mCounts, mBooks, mCells;
     BeamParams mParams{};
     VoxelBox mDomain;
     std::int64_t mMapCells; ///< where the map is aimed at; 0: as many as is worth it
-    std::uint32_t mSeed;
-    int mBranchBits; ///< that tell a branch taken at an interface
+    int mBranchBits;        ///< that tell a branch taken at an interface
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple
 

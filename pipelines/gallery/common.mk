@@ -16,8 +16,8 @@ default: picture
 ROOM := $(OUT)/room.exr
 $(ROOM):
 	@mkdir -p $(@D)
-	oiiotool --pattern fill:top=0.05,0.06,0.08:bottom=0.03,0.025,0.02 1024x512 3 \
-	  --fill:color=0.55,0.6,0.66 300x150+10+120 --fill:color=0.55,0.6,0.66 300x150+724+120 --blur 91x91 \
+	oiiotool --pattern fill:top=0.05,0.06,0.08:bottom=0.03,0.025,0.02 256x128 3 \
+	  --fill:color=0.55,0.6,0.66 75x38+3+30 --fill:color=0.55,0.6,0.66 75x38+181+30 --blur 23x23 --resize 1024x512 \
 	  --fill:color=7,6.7,6.2 150x90+560+40 --fill:color=2.5,3,3.8 70x130+280+120 \
 	  --fill:color=1.2,1.2,1.2 240x60+60+20 --blur 5x5 -d float -o $(@D)/.room.$(NAME).exr
 	mv $(@D)/.room.$(NAME).exr $@

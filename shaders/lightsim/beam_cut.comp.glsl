@@ -21,10 +21,11 @@ const int kMostCells = 16;   // cells along a beam: one that bends so much is a 
 const float kDensity = 80.0; // cells along it for a bend as large as itself
 const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
 const float kChange = 0.05;  // a cell's light, even over it, may change by so much along it
+const float kDimmest = 1.0e-4; // beams dimmer than that by the plain light are cut no coarser
 
 // Cells along one side of a beam, whose rows have their points `step` apart and begin `row` apart, none
-// longer than that.
-int cellsAlong(vec3 place[9], float weight[9], int step, int row, float longest) {
+// longer than that. `care`: how much the beam's errors count.
+int cellsAlong(vec3 place[9], float weight[9], int step, int row, float longest, float care) {
     float bend = 0.0;
     float change = 0.0;
     float extent = 0.0;
@@ -38,8 +39,8 @@ int cellsAlong(vec3 place[9], float weight[9], int step, int row, float longest)
         change = max(change, abs(along.y - along.x) + abs(along.z - along.y));
     }
     float changing = change / (kChange * max(weight[4], 1.0e-20));
-    float bending = max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat));
-    float wanted = min(max(bending, changing), 1.5 * max(extent, 2.0 * bend));
+    float bending = care * max(kDensity * bend / max(extent, 1.0e-6), sqrt(bend / kFlat));
+    float wanted = min(max(bending, care * changing), 1.5 * max(extent, 2.0 * bend));
     return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
 }
 
@@ -62,7 +63,11 @@ void main() {
         float edge = float(node.place.z) / float(params.levels.x);
         float carries = edge * edge * params.map.x * fine * fine * weight[4];
         float longest = carries < kFaint ? 1.0e9 : kLongest;
-        count = ivec2(cellsAlong(place, weight, 1, 3, longest), cellsAlong(place, weight, 3, 1, longest));
+        float area = 0.5 * length(cross(place[8] - place[0], place[6] - place[2]));
+        float bright = clamp(carries / max(area, 1.0e-20), kDimmest, 1.0);
+        float care = sqrt(sqrt(bright));
+        count.x = cellsAlong(place, weight, 1, 3, longest, care);
+        count.y = cellsAlong(place, weight, 3, 1, longest, care);
     }
     // Those of beams from the front, others from the back, so that vectors are of one kind.
     uint all = uint(count.x * count.y);

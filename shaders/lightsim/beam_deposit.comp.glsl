@@ -22,10 +22,11 @@ layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[];
 layout(std430, binding = kCellsBuffer) readonly buffer Cells { uvec2 cells[]; };
 layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
 
-// A triangle in a box of more fine voxels is so thin a light that points will do. Software devices end all loops
-// of a vector after 65,535 rounds, and say nothing of it.
+// A triangle in a box of more fine voxels is so thin a light that points will do, as they will where they are fewer
+// than the voxels. Software devices end all loops of a vector after 65,535 rounds, and say nothing of it.
 const int kMostRounds = 1024;
-const int kSpread = 6; // rows of those points
+const ivec2 kRows = ivec2(2, 60); // of those points: least and most
+const float kGrain = 2.0e-4;      // a point's part of what a fine voxel gets by the plain light, if rows allow
 const float kThin = 1.0e-3; // a triangle no wider is a line [fine voxel]
 
 // Coordinates with the surface's steepest axis last, and back.
@@ -60,17 +61,27 @@ void putLine(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phase) {
     }
 }
 
+// Rows of points, each of which is one grain of a triangle's light.
+int rowsOf(Light light) {
+    float fine = float(params.size.w);
+    float plain = params.limits.z / (params.map.x * fine * fine);
+    float power = CHANNELS == 3 ? max(light.power.x, max(light.power.y, light.power.z)) : light.power.x;
+    return clamp(int(sqrt(2.0 * power / (kGrain * plain))), kRows.x, kRows.y);
+}
+
 // Equal parts at points that are spread evenly over a triangle: the middles of its rows' small triangles that
 // stand upright.
-uint putSpread(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phase) {
-    const float kPoints = 0.5 * float(kSpread * (kSpread + 1));
-    for (int j = 0; j < kSpread; ++j)
-        for (int i = 0; i < kSpread - j; ++i) {
-            vec2 at = (vec2(i, j) + 1.0 / 3.0) / float(kSpread);
-            vec3 x = a + at.x * (b - a) + at.y * (c - a);
-            put(turnedBack(axis, ivec3(floor(x))), axis, scaled(light, 1.0 / kPoints), phase);
-        }
-    return uint(kPoints);
+uint putSpread(vec3 a, vec3 b, vec3 c, int axis, Light light, int rows, inout float phase) {
+    int points = rows * (rows + 1) / 2;
+    ivec2 at = ivec2(0);
+    for (int k = 0; k < points; ++k) {
+        vec2 share = (vec2(at) + 1.0 / 3.0) / float(rows);
+        vec3 x = a + share.x * (b - a) + share.y * (c - a);
+        put(turnedBack(axis, ivec3(floor(x))), axis, scaled(light, 1.0 / float(points)), phase);
+        ++at.x;
+        if (at.x + at.y == rows) at = ivec2(0, at.y + 1);
+    }
+    return uint(points);
 }
 
 uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phase) {
@@ -85,7 +96,10 @@ uint putTriangle(vec3 a, vec3 b, vec3 c, int axis, Light light, inout float phas
     }
     ivec3 low = ivec3(floor(min(a, min(b, c))));
     ivec3 count = ivec3(floor(max(a, max(b, c)))) - low + 1;
-    if (count.x * count.y * count.z > kMostRounds) return putSpread(a, b, c, axis, light, phase);
+    int rounds = count.x * count.y * count.z;
+    int rows = rowsOf(light);
+    if (rounds > min(rows * (rows + 1) / 2, kMostRounds))
+        return putSpread(a, b, c, axis, light, rows, phase);
     vec3 origin = vec3(low);
     a -= origin;
     b -= origin;

@@ -9,3 +9,13 @@ const int kBranchBits = CRYSTALS > 0 ? 2 : 1;
 uint branchAt(uint kind, int number) {
     return kind >> (kBranchBits * number) & ((1u << kBranchBits) - 1u);
 }
+
+// The kind that takes one more, by how many there are so far.
+uint kindAfter(uint kind, int branches, uint branch) {
+    return kind | branch << (kBranchBits * branches);
+}
+
+// A point that goes on by a branch, in one word.
+uint wantedAs(uint point, uint branch) {
+    return point << kBranchBits | branch;
+}

@@ -6,6 +6,15 @@ uint pointOf(BeamNode node, int i) {
     return i < 4 ? node.first[i] : i < 8 ? node.second[i - 4] : uint(node.place.w);
 }
 
+// A place on the light's map in one word, and back.
+int packedPlace(ivec2 map) {
+    return map.x | map.y << 16;
+}
+
+ivec2 placeFrom(int word) {
+    return ivec2(word & 0xFFFF, word >> 16);
+}
+
 // A point's share of a cell (Simpson's rule).
 float shareOf(int i) {
     return i == 4 ? 16.0 / 36.0 : (i & 1) == 1 ? 4.0 / 36.0 : 1.0 / 36.0;

@@ -45,9 +45,10 @@ const float kCreasedBend = 0.03; // where what it falls on is no smooth surface:
 const float kSmooth = 0.9;       // cosine between normals of a smooth one
 const float kFaint = 0.01; // share of the light's own irradiance below which it makes no difference
 // A cell is split if its share of the light, times its edge, is so much: half the edge, twice the share. Of cells
-// whose rays part behind interfaces there are many, of many kinds.
+// whose rays part behind interfaces there are many, along lines: there it is the share of a whole cell's light, which
+// for lines gives the least error for as many cells.
 const float kWorth = 0.01;
-const float kBrokenWorth = 0.05;
+const float kBrokenWorth = 0.01;
 const float kFlat = 0.1;   // a bend of so much of a fine voxel is none
 const float kDot = 0.25;   // an extent of so much of one is a point,
 const int kTold = 3;       // if so many points tell it
@@ -72,11 +73,13 @@ int bookOf(int status) {
 }
 
 void want(uint point, uint bits) {
-    uint before = atomicOr(branches[point], bits);
-    if (before != 0u) return;
-    uint slot = atomicAdd(counts[kWantedCount], 1u);
-    wanted[slot] = point;
-    slots[point] = slot;
+    uint fresh = bits & ~atomicOr(branches[point], bits);
+    for (uint branch = 0u; branch < 1u << kBranchBits; ++branch) {
+        if ((fresh >> branch & 1u) == 0u) continue;
+        uint slot = atomicAdd(counts[kWantedCount], 1u);
+        wanted[slot] = wantedAs(point, branch);
+        slots[wantedAs(point, branch)] = slot;
+    }
 }
 
 // Whether a brick that this box [voxel] reaches into holds surface voxels.
@@ -134,10 +137,8 @@ vec2 sharesOfE(BeamPoint point) {
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
+    item += params.list.y;
     BeamNode node = nodes[item];
-    int last = int(params.kind.y) - 1;
-    if (last >= 0 && (node.state.y >> branchAt(params.kind.x, last) & 1u) == 0u)
-        return; // it takes another branch
     bool single = node.state.x == 1u;
     BeamPoint middle = points[node.second.x];
     int status = int(middle.event.x);
@@ -200,8 +201,8 @@ void main() {
         landed = 0;
     }
     bool isStarting = params.kind.y == 0u && node.place.z > params.levels.x;
-    float worth = params.kind.y > 0u && !agree ? kBrokenWorth : kWorth;
-    split = split && node.place.z > kSmallest && share * edge >= worth;
+    bool isWorthIt = params.kind.y > 0u && !agree ? share * area >= kBrokenWorth : share * edge >= kWorth;
+    split = split && node.place.z > kSmallest && isWorthIt;
     if (split || (isStarting && isAimedAt(node))) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
         return;
@@ -251,10 +252,10 @@ void main() {
         beams[atomicAdd(counts[kBeamCount], 1u)] = item | (alone ? 0x80000000u : 0u);
     if (follow != 0u) {
         BeamNode next = node;
-        next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), 0u);
+        next.state = uvec4(alone ? 1u : 0u, follow, floatBitsToUint(waiting), node.state.w);
         if (alone) next.second.x = waits;
         nextNodes[atomicAdd(counts[kNextCount], 1u)] = next;
-        atomicOr(counts[kNextBranches], follow);
+        atomicAdd(counts[kBranchCount], uint(bitCount(follow)));
         for (int i = 0; i < 9; ++i)
             if (!alone || i == 4) want(pointOf(next, i), follow);
     }

@@ -1,6 +1,6 @@
 // Four cells in place of one, with the points that they need beside its own.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared/beam_params.h"
+#include "lightsim/beam_node.glsl"
 #include "shared/bindings.h"
 
 layout(local_size_x = 64) in;
@@ -24,7 +24,7 @@ void main() {
         for (int i = 0; i < 5; ++i) {
             bool isKnown = ((i | j) & 1) == 0;
             all[5 * j + i] = isKnown ? known[3 * (j >> 1) + (i >> 1)] : next;
-            if (!isKnown) points[next++].map = ivec4(node.place.xy + step * ivec2(i, j), 0, 0);
+            if (!isKnown) points[next++].map = ivec4(packedPlace(node.place.xy + step * ivec2(i, j)), node.state.w, 0, 0);
         }
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
@@ -33,7 +33,7 @@ void main() {
             child.first = uvec4(all[a], all[a + 1], all[a + 2], all[a + 5]);
             child.second = uvec4(all[a + 6], all[a + 7], all[a + 10], all[a + 11]);
             child.place = ivec4(node.place.xy + 2 * step * ivec2(i, j), 2 * step, all[a + 12]);
-            child.state = uvec4(0u, 3u, 0u, 0u);
+            child.state = uvec4(0u, 0u, 0u, node.state.w);
             nextNodes[4u * item + uint(2 * j + i)] = child;
         }
 }

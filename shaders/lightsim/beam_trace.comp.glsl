@@ -1,8 +1,9 @@
 // Points of beams: a light's rays, each along one kind of path to the event that follows it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A kind of path is the list of branches taken at the interfaces met (beam_kind.glsl). A point of a kind goes on
-// from that of the kind before it, one interface short of it, where that is known, else it starts at the light.
+// A kind of path is the list of branches taken at the interfaces met (beam_kind.glsl). Kinds that take as many are
+// a generation, traced together. A point goes on from that of the generation before, one interface short of it,
+// where that is known, else it starts at the light.
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
 #include "lib/attenuation.glsl"
@@ -23,18 +24,19 @@ layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
 layout(std430, binding = kPointsBuffer) buffer Points { BeamPoint points[]; };
 layout(std430, binding = kParentsBuffer) readonly buffer Parents { BeamPoint parents[]; };
-layout(std430, binding = kBranchesBuffer) readonly buffer Branches { uint branches[]; }; // of parents
 layout(std430, binding = kWantedBuffer) readonly buffer Wanted { uint wanted[]; };
 layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
 layout(std430, binding = kParentObjectsBuffer) readonly buffer ParentObjects { ObjectSet parentObjects[]; };
 layout(binding = kOpacityFieldUnit) uniform sampler3D opacityField;
 #include "lightsim/beam_kind.glsl"
+#include "lightsim/beam_node.glsl"
 #include "lightsim/medium.glsl"
 #include "lightsim/spread.glsl"
 #include "lightsim/step_limit.glsl"
 #include "transport/opaque_voxels.glsl"
 
 struct Load {
+    uint kind;
     int taken;      // branches taken so far
     uint met;       // hash of what was met
     int object;     // of the boundary that it stopped at
@@ -134,7 +136,7 @@ void unpackState(inout Path path, uint state) {
 // As onInterface(), where there are up to four branches.
 void onCrystal(inout Path path, inout Load load, Interface at, Outgoing outgoing[kMostOutgoing], int rays) {
     bool waits = load.taken == int(params.kind.y);
-    uint wanted = waits ? 0u : branchAt(params.kind.x, load.taken);
+    uint wanted = waits ? 0u : branchAt(load.kind, load.taken);
     vec4 shares = vec4(0.0);
     int taken = -1;
     for (int i = 0; i < rays; ++i) {
@@ -177,7 +179,7 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         remember(load, at.object, at.there);
         return;
     }
-    bool back = branchAt(params.kind.x, load.taken) == 1u;
+    bool back = branchAt(load.kind, load.taken) == 1u;
     ++load.taken;
     ++path.depth;
     remember(load, at.object, back ? -1 : at.there);
@@ -250,8 +252,7 @@ Path pathFromParent(uint id, inout Load load) {
     load.met = parent.event.y;
     load.taken = int(params.kind.y) - 1;
     int object = int(parent.event.z);
-    bool goes = parent.event.x == uint(kMeets) && (branches[id] >> branchAt(params.kind.x, load.taken) & 1u) == 1u;
-    if (goes && kObjects > 0) {
+    if (kObjects > 0 && parent.event.x == uint(kMeets)) {
         Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
         Interface at = interfaceAt(path, hit);
         scatterAndLand(path, load, at, isCoated(at));
@@ -267,16 +268,18 @@ void main() {
     takeLine(0u);
     bool goesOn = params.kind.z == 1u;
     uint id = goesOn ? item : params.list.y + item;
-    Load load = Load(0, 1u, -1, 1.0, vec2(0.0), vec3(0.0), vec3(0.0));
+    Load load = Load(0u, 0, 1u, -1, 1.0, vec2(0.0), vec3(0.0), vec3(0.0));
     Path path;
-    ivec2 map;
+    int place;
     if (goesOn) {
-        uint parent = wanted[item];
+        uint parent = wanted[item] >> kBranchBits;
+        place = parents[parent].map.x;
+        load.kind = kindAfter(uint(parents[parent].map.y), int(params.kind.y) - 1, wanted[item] & ((1u << kBranchBits) - 1u));
         path = pathFromParent(parent, load);
-        map = parents[parent].map.xy;
     } else {
-        map = points[id].map.xy;
-        path = pathFromLight(map);
+        place = points[id].map.x;
+        load.kind = uint(points[id].map.y);
+        path = pathFromLight(placeFrom(place));
     }
     load.clear = path.ray.x;
     if (path.status == kAlive) {
@@ -295,7 +298,7 @@ void main() {
                       kCrystals ? load.extraordinary.y : 0.0);
     point.weight = vec4(path.throughput, load.mirrored);
     point.event = uvec4(path.status, load.met, uint(load.object), firstBits(path.objects) | uint(path.depth) << 16u);
-    point.map = ivec4(map, packSnorm2x16(octahedralOf(path.ray.w)),
+    point.map = ivec4(place, load.kind, packSnorm2x16(octahedralOf(path.ray.w)),
                       kCrystals ? packedState(path) : 0);
     points[id] = point;
     if (kMany) inObjects[id] = path.objects;

@@ -33,8 +33,9 @@ struct BeamPoint {
                  // w: the share that an interface reflects, 1: all of it
     uvec4 event; // x: its status, y: what it met on the way, z: the object of the boundary it is at,
                  // w: of few objects those it is in, and from bit 16 on the interfaces it has met
-    ivec4 map;   // xy: its place on the light's map [finest cell], z: the direction of w, octahedral;
-                 // w: in scenes with crystals its mode and polarisation
+    ivec4 map;   // x: its place on the light's map [finest cell], 16 bits each of x and y, y: the kind of
+                 // path that it is of, z: the direction of w, octahedral; w: in scenes with crystals its
+                 // mode and polarisation
 };
 
 // A cell of the light's map, a beam where its nine points agree: three by three, row by row.
@@ -43,7 +44,8 @@ struct BeamNode {
     uvec4 second; // points 4, its middle, to 7
     ivec4 place;  // xy: its low corner, z: its edge [finest cell], w: point 8
     uvec4 state;  // x: 1 if it is too small to be a beam: its middle stands for it;
-                  // y: bits of the branches it goes on from the interface it is at
+                  // y: bits of the branches it goes on from the interface it is at; z: its share of the
+                  // light's map, if its middle stands for it; w: the kind of path that it is of
 };
 
 struct BeamParams {
@@ -51,8 +53,8 @@ struct BeamParams {
     vec4 limits; // x: shortest step [voxel], y: a share below is not followed, z: fixed-point unit
                  // of all power of a cell, w: how far a beam may be off [fine voxel]
     uvec4 list; // x: items, y: the first point, z: points there are, w: most interfaces met
-    uvec4 kind; // x: bits of the branches taken at interfaces, the first lowest, y: how many, z:
-                // whether points go on from those of the kind before, w: differs by seed and batch
+    uvec4 kind; // y: branches taken by every kind of path of the generation, z: whether points go on
+                // from those of the generation before, w: differs by seed and batch
     ivec4 levels; // x: edge of a cell [finest cell], y: starting cells, of kAimedLevels more,
                   // along x, z: along y; w: the longest edge of what one beam covers [fine voxel]
     vec4 aims[kMostAims]; // parts of the map, low and high corners, where none is larger than a cell
@@ -82,7 +84,7 @@ const int kWantedCount = 3;   // points that go on
 const int kNearFullCount = 4; // not 0 if a sum came near its end
 const int kDepositCount = 5;
 const int kMissedCount = 6; // parts that fell beside every surface voxel
-const int kNextBranches = 7; // bits of the branches that any of those that go on takes
+const int kBranchCount = 7; // branches that those that go on take, in all
 const int kCulledCount = 8; // that lead to no surface that receives
 const int kCellCount = 9;       // cells of beams to be laid down
 const int kBrokenCellCount = 10; // quarters and points of what is no beam
