@@ -452,7 +452,7 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
     const std::int64_t wanted = cellsOf(params);
     const std::int64_t cells =
         std::min<std::int64_t>(wanted > 0 ? wanted : kMostCells, kBatchCells * kBatchCells);
-    const std::int64_t branches = plan.scene.anyCrystal() ? 4 : 2;
+    const std::int64_t branches = plan.polarises() ? 4 : 2;
     const std::int64_t point = kPointBytes + 4 + 2 * 4 * branches +
                                (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     // Of one generation, with those of cells that are split.

@@ -26,23 +26,24 @@ vec3 timesD(vec3 pure, vec3 mixed, vec3 v) {
                 mixed.y * v.x + mixed.x * v.y + pure.z * v.z);
 }
 
-// ∂H/∂k and −∂H/∂x.
+// ∂H/∂k and −∂H/∂x, and n_o there.
 struct Flow {
     vec3 x;
     vec3 k;
+    float o;
 };
 
 Flow flowOf(VaryingCrystal here, bool extraordinary, vec3 k) {
     float o2 = here.o * here.o;
     vec3 slope2 = (2.0 * here.o) * here.slopeO; // of n_o²
     float kk = dot(k, k);
-    if (!extraordinary) return Flow(k / o2, (0.5 * kk / (o2 * o2)) * slope2);
+    if (!extraordinary) return Flow(k / o2, (0.5 * kk / (o2 * o2)) * slope2, here.o);
     vec3 Dk = timesD(here.pure, here.mixed, k);
     float kDk = dot(k, Dk);
     float e2 = o2 + here.pure.x + here.pure.y + here.pure.z;
     float g = (kk + kDk / o2) / e2;
     vec3 slope = here.slopeKK / o2 - (kDk / (o2 * o2)) * slope2 - g * (slope2 + here.slopeT);
-    return Flow((k + Dk / o2) / e2, (-0.5 / e2) * slope);
+    return Flow((k + Dk / o2) / e2, (-0.5 / e2) * slope, here.o);
 }
 
 // H of a wave, which its ray keeps.
@@ -55,17 +56,28 @@ float hamiltonianOf(VaryingCrystal here, bool extraordinary, vec3 k) {
     return 0.5 * (g - 1.0);
 }
 
-// A step of dτ by the classical Runge–Kutta method of fourth order: by how much x and k go on.
-Flow varyingStep(int region, bool extraordinary, vec3 x, vec3 k, Flow first, float tau) {
-    float mid = 0.5 * tau;
-    vec3 k2 = k + mid * first.k;
-    Flow b = flowOf(varyingCrystalAt(region, x + mid * first.x, k2), extraordinary, k2);
-    vec3 k3 = k + mid * b.k;
-    Flow c = flowOf(varyingCrystalAt(region, x + mid * b.x, k3), extraordinary, k3);
-    vec3 k4 = k + tau * c.k;
-    Flow d = flowOf(varyingCrystalAt(region, x + tau * c.x, k4), extraordinary, k4);
-    return Flow((tau / 6.0) * (first.x + 2.0 * b.x + 2.0 * c.x + d.x),
-                (tau / 6.0) * (first.k + 2.0 * b.k + 2.0 * c.k + d.k));
+// By how much a step goes on, and the flow at its end.
+struct VaryingStep {
+    Flow change;
+    Flow last;
+};
+
+// A step of dτ by the classical Runge–Kutta method of fourth order from where the flow is `first`. In a loop, since
+// each look-up is long.
+VaryingStep varyingStep(int region, bool extraordinary, vec3 x, vec3 k, Flow first, float tau) {
+    Flow sum = first;
+    Flow change = first;
+    Flow last = first;
+    for (int stage = 1; stage <= 4; ++stage) {
+        float ahead = stage < 3 ? 0.5 * tau : tau;
+        change = Flow(ahead * last.x, ahead * last.k, 0.0);
+        if (stage == 4) change = Flow((tau / 6.0) * sum.x, (tau / 6.0) * sum.k, 0.0);
+        vec3 here = k + change.k;
+        last = flowOf(varyingCrystalAt(region, x + change.x, here), extraordinary, here);
+        float weight = stage < 3 ? 2.0 : 1.0;
+        sum = Flow(sum.x + weight * last.x, sum.k + weight * last.k, 0.0);
+    }
+    return VaryingStep(change, last);
 }
 
 // The axis of length 1, of either sign, of what is uniaxial but for interpolation: D's own vector of the value

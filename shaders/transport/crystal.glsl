@@ -12,13 +12,23 @@ vec3 inPlane(float q, float kz, float n) {
     return vec3(-kz, 0.0, q) / n;
 }
 
-Uniaxial uniaxialIn(mat3 frame, int region, vec3 x, float n) {
-    Uniaxial found = Uniaxial(n, n, vec3(0.0, 1.0, 0.0));
-    if (isCrystal(region)) {
-        Uniaxial crystal = uniaxialOf(region, x);
-        if (crystal.axis != vec3(0.0)) found = Uniaxial(crystal.o, crystal.e, crystal.axis * frame);
+Uniaxial uniaxialIn(mat3 frame, int region, Uniaxial crystal, float n) {
+    if (!isCrystal(region) || crystal.axis == vec3(0.0)) return Uniaxial(n, n, vec3(0.0, 1.0, 0.0));
+    return Uniaxial(crystal.o, crystal.e, crystal.axis * frame);
+}
+
+// Those of both sides, by one look-up, as no two that vary meet.
+void crystalsAt(Interface at, out Uniaxial near, out Uniaxial beyond) {
+    near = evenUniaxialOf(at.here);
+    beyond = evenUniaxialOf(at.there);
+#if CRYSTALS == 2
+    int turning = crystalVaries(at.there) ? at.there : at.here;
+    if (crystalVaries(turning)) {
+        Uniaxial found = varyingUniaxialAt(turning, at.x);
+        if (turning == at.here) near = found;
+        if (turning == at.there) beyond = found;
     }
-    return found;
+#endif
 }
 
 #if CRYSTALS == 2
@@ -100,8 +110,11 @@ int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgo
         x = normalize(cross(helper, at.normal));
     }
     mat3 frame = mat3(x, cross(at.normal, x), at.normal);
-    Uniaxial near = uniaxialIn(frame, at.here, at.x, at.n);
-    Uniaxial beyond = uniaxialIn(frame, at.there, at.x, at.beyond);
+    Uniaxial near;
+    Uniaxial beyond;
+    crystalsAt(at, near, beyond);
+    near = uniaxialIn(frame, at.here, near, at.n);
+    beyond = uniaxialIn(frame, at.there, beyond, at.beyond);
     Crossing made = crossingOf(near, beyond, q);
     Parts fromO = closed(made.fromO);
     Parts fromE = closed(made.fromE);
@@ -125,7 +138,7 @@ int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgo
 void turnTogether(inout Path path, int region, vec3 start, vec3 direction) {
 #if CRYSTALS == 2
     if (crystalVaries(region)) {
-        path.polarisation = polarisedAlong(region, path.polarisation, start, path.ray.x - start);
+        path.polarisation = polarisedAlong(region, path.polarisation, start, path.ray.x - start, path.steps);
         return;
     }
 #endif

@@ -101,13 +101,17 @@ bool isCrystal(int region) {
 
 #include "transport/varying_crystal.glsl"
 
-// The index of a region at x; n_o of a crystal.
+// The index of a region at x; of a crystal n_o, if that varies one of it.
 float indexOf(int region, vec3 x) {
-#if CRYSTALS == 2
-    if (crystalVaries(region)) return varyingCrystalAt(region, x, vec3(0.0)).o;
-#endif
     if (kObjects == 0 || indexVariesIn(region)) return indexAt(x);
     return dispersed(scene.regions[region].index.x, scene.regions[region].index.w);
+}
+
+// A crystal that does not vary.
+Uniaxial evenUniaxialOf(int region) {
+    vec4 axis = scene.regions[region].axis;
+    return Uniaxial(dispersed(scene.regions[region].index.x, scene.regions[region].index.w),
+                    dispersed(axis.w, scene.regions[region].extraordinary.w), axis.xyz);
 }
 
 // A crystal at x. What is isotropic there has no axis.
@@ -115,9 +119,7 @@ Uniaxial uniaxialOf(int region, vec3 x) {
 #if CRYSTALS == 2
     if (crystalVaries(region)) return varyingUniaxialAt(region, x);
 #endif
-    vec4 axis = scene.regions[region].axis;
-    return Uniaxial(dispersed(scene.regions[region].index.x, scene.regions[region].index.w),
-                    dispersed(axis.w, scene.regions[region].extraordinary.w), axis.xyz);
+    return evenUniaxialOf(region);
 }
 
 // Whether both waves of a crystal go as one, along the o-wave's way: they part by less than 0.01 rad.
@@ -132,19 +134,15 @@ bool goesTogether(int region) {
 // The phase that the o-wave gains on the e-wave along a straight way.
 float phaseAlong(int region, vec3 direction, float extent) {
     float c = dot(direction, scene.regions[region].axis.xyz);
-    return transport.tolerance.z * extent * indexDifference(uniaxialOf(region, vec3(0.0)), c) / wavelength();
+    return transport.tolerance.z * extent * indexDifference(evenUniaxialOf(region), c) / wavelength();
 }
 
-// Where light of wave vector w goes in a region of index n, of length 1.
-vec3 directionIn(int region, int mode, vec3 x, vec3 w, float n) {
+// Where light of wave vector w goes in a region of index n, of length 1; of a crystal that varies but its e-rays.
+vec3 directionIn(int region, int mode, vec3 w, float n) {
 #if CRYSTALS == 2
-    if (crystalVaries(region) && mode == kExtraordinary) {
-        vec3 along = flowOf(varyingCrystalAt(region, x, w), true, w).x;
-        return along / length(along);
-    }
     if (crystalVaries(region)) return w / length(w);
 #endif
-    if (isCrystal(region)) return rayDirection(uniaxialOf(region, x), mode, w);
+    if (isCrystal(region)) return rayDirection(evenUniaxialOf(region), mode, w);
     return w / n; // devices' roots are not as exact
 }
 

@@ -63,7 +63,7 @@ void along(inout Path path, inout Load load, int region, vec3 direction, float e
 // To the next interface or face through an index that does not vary.
 Hit propagateStraight(inout Path path, inout Load load, int region) {
     float n = indexOf(region, path.ray.x);
-    vec3 direction = directionIn(region, path.mode, path.ray.x, path.ray.w, n);
+    vec3 direction = directionIn(region, path.mode, path.ray.w, n);
     Hit hit = noHit(timeToFace(path.ray.x, direction));
     if (kObjects > 0)
         hit = intersectStraight(path.ray.x, direction, hit.s, path.objects, path.departs);

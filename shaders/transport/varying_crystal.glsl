@@ -19,6 +19,34 @@ bool bendsOrdinary(int region) {
     return scene.regions[region].albedo.w == 2.0 && isCrystal(region);
 }
 
+// What is summed up over coefficients.
+struct CrystalSums {
+    vec4 pure;
+    vec3 mixed;
+    vec3 slopeO;
+    vec3 slopeT;
+    vec3 slopeKK;
+};
+
+void addTexel(inout CrystalSums sums, ivec3 at, float weight, vec3 slope, vec3 pureK, vec3 mixedK) {
+    vec4 p = texelFetch(crystals, at, 0);
+    vec3 m = texelFetch(mixedCrystals, at, 0).xyz;
+    sums.pure += weight * p;
+    sums.mixed += weight * m;
+    sums.slopeO += p.w * slope;
+    sums.slopeT += (p.x + p.y + p.z) * slope;
+    sums.slopeKK += (dot(p.xyz, pureK) + dot(m, mixedK)) * slope;
+}
+
+// Written out: software devices count the rounds of all loops together and end them at a number of them.
+void addRow(inout CrystalSums sums, ivec3 at, vec4 wx, vec4 sx, vec2 y, vec2 z, vec3 pureK, vec3 mixedK) {
+    vec3 slope = vec3(y.x * z.x, y.y * z.x, y.x * z.y);
+    addTexel(sums, at, wx.x * slope.x, vec3(sx.x, wx.x, wx.x) * slope, pureK, mixedK);
+    addTexel(sums, at + ivec3(1, 0, 0), wx.y * slope.x, vec3(sx.y, wx.y, wx.y) * slope, pureK, mixedK);
+    addTexel(sums, at + ivec3(2, 0, 0), wx.z * slope.x, vec3(sx.z, wx.z, wx.z) * slope, pureK, mixedK);
+    addTexel(sums, at + ivec3(3, 0, 0), wx.w * slope.x, vec3(sx.w, wx.w, wx.w) * slope, pureK, mixedK);
+}
+
 VaryingCrystal varyingCrystalAt(int region, vec3 x, vec3 k) {
     ivec3 last = textureSize(crystals, 0) - 5;
     vec3 at = clamp(x - scene.crystals.xyz, vec3(-0.999), vec3(last) + 0.999);
@@ -32,25 +60,15 @@ VaryingCrystal varyingCrystalAt(int region, vec3 x, vec3 k) {
     vec4 sz = splineSlopes(t.z);
     vec3 pureK = k * k;
     vec3 mixedK = 2.0 * k.yzx * k.zxy;
-    ivec3 first = ivec3(cell) + 1;
-    vec4 pure = vec4(0.0);
-    vec3 mixed = vec3(0.0);
-    vec3 slopeO = vec3(0.0);
-    vec3 slopeT = vec3(0.0);
-    vec3 slopeKK = vec3(0.0);
-    for (int c = 0; c < 4; ++c)
-        for (int b = 0; b < 4; ++b)
-            for (int a = 0; a < 4; ++a) {
-                vec4 p = texelFetch(crystals, first + ivec3(a, b, c), 0);
-                vec3 m = texelFetch(mixedCrystals, first + ivec3(a, b, c), 0).xyz;
-                vec3 slope = vec3(sx[a] * wy[b] * wz[c], wx[a] * sy[b] * wz[c], wx[a] * wy[b] * sz[c]);
-                float weight = wx[a] * wy[b] * wz[c];
-                pure += weight * p;
-                mixed += weight * m;
-                slopeO += p.w * slope;
-                slopeT += (p.x + p.y + p.z) * slope;
-                slopeKK += (dot(p.xyz, pureK) + dot(m, mixedK)) * slope;
-            }
+    CrystalSums sums = CrystalSums(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    for (int c = 0; c < 4; ++c) {
+        ivec3 row = ivec3(cell) + ivec3(1, 1, 1 + c);
+        vec2 z = vec2(wz[c], sz[c]);
+        addRow(sums, row, wx, sx, vec2(wy.x, sy.x), z, pureK, mixedK);
+        addRow(sums, row + ivec3(0, 1, 0), wx, sx, vec2(wy.y, sy.y), z, pureK, mixedK);
+        addRow(sums, row + ivec3(0, 2, 0), wx, sx, vec2(wy.z, sy.z), z, pureK, mixedK);
+        addRow(sums, row + ivec3(0, 3, 0), wx, sx, vec2(wy.w, sy.w), z, pureK, mixedK);
+    }
     RegionParams here = scene.regions[region];
     float scale = 1.0; // of D, by the wavelength
     if (kDisperses) {
@@ -58,8 +76,8 @@ VaryingCrystal varyingCrystalAt(int region, vec3 x, vec3 k) {
         float e = dispersed(here.axis.w, here.extraordinary.w);
         scale = (e - o) * (e + o) / ((here.axis.w - here.index.x) * (here.axis.w + here.index.x));
     }
-    return VaryingCrystal(dispersed(pure.w, here.index.w), scale * pure.xyz, scale * mixed, slopeO,
-                          scale * slopeT, scale * slopeKK);
+    return VaryingCrystal(dispersed(sums.pure.w, here.index.w), scale * sums.pure.xyz, scale * sums.mixed,
+                          sums.slopeO, scale * sums.slopeT, scale * sums.slopeKK);
 }
 
 // What is isotropic there has an axis of 0.
@@ -71,8 +89,8 @@ Uniaxial varyingUniaxialAt(int region, vec3 x) {
 }
 
 // How the polarisation of both waves together turns on a way that is straight or nearly, from where it is `s` by
-// acrossOf(d) and g.
-vec3 polarisedAlong(int region, vec3 s, vec3 x, vec3 along) {
+// acrossOf(d) and g. `steps` grows by what was looked up.
+vec3 polarisedAlong(int region, vec3 s, vec3 x, vec3 along, inout int steps) {
     const float kGauss = 0.28867513459481287; // √3/6
     const float kBent = 0.05;  // what ω's turn on a piece may add to it [rad]
     const float kLeast = 0.02; // [voxel]
@@ -87,8 +105,14 @@ vec3 polarisedAlong(int region, vec3 s, vec3 x, vec3 along) {
         float piece = min(next, extent - done);
         vec3 middle = x + (done + 0.5 * piece) * d;
         vec3 off = (kGauss * piece) * d;
-        vec3 before = wave * retardance(varyingCrystalAt(region, middle - off, vec3(0.0)), f, g);
-        vec3 behind = wave * retardance(varyingCrystalAt(region, middle + off, vec3(0.0)), f, g);
+        vec3 before = vec3(0.0);
+        vec3 behind = vec3(0.0);
+        for (int i = 0; i < 2; ++i) { // in a loop, since each look-up is long
+            before = behind;
+            vec3 at = middle + float(2 * i - 1) * off;
+            behind = wave * retardance(varyingCrystalAt(region, at, vec3(0.0)), f, g);
+        }
+        ++steps;
         // Where ω keeps its direction a piece of any length is exact.
         float bent = piece * piece * length(cross(behind, before)) * max(piece * length(before + behind), 1.0);
         if (bent < kBent || piece < kLeast) {

@@ -17,7 +17,7 @@ void turnOnStep(inout Path path, int region, Ray start) {
     vec3 behind = normalize(path.ray.w);
     vec3 f = acrossOf(before);
     path.polarisation = polarisedBy(path.polarisation, f, cross(f, before), acrossOf(d));
-    path.polarisation = polarisedAlong(region, path.polarisation, start.x, along);
+    path.polarisation = polarisedAlong(region, path.polarisation, start.x, along, path.steps);
     f = acrossOf(d);
     path.polarisation = polarisedBy(path.polarisation, f, cross(f, d), acrossOf(behind));
 }
@@ -25,48 +25,50 @@ void turnOnStep(inout Path path, int region, Ray start) {
 // To the next interface, in steps of a voxel or what is asked for. The last one, which meets it, is made again.
 Hit propagateVarying(inout Path path, inout Load load, int region) {
     const float kLongest = 1.0; // [voxel]
+    const int kLooks = 4;       // of a step, as software devices count
     bool extraordinary = path.mode == kExtraordinary;
     float longest = min(transport.steps.w, kLongest);
     Hit hit = noHit(0.0);
     float share = 1.0; // of a step
     bool ends = false;
     bool going = true;
+    Flow first = flowOf(varyingCrystalAt(region, path.ray.x, path.ray.w), extraordinary, path.ray.w);
     while (going) {
         Ray start = path.ray;
-        VaryingCrystal here = varyingCrystalAt(region, start.x, start.w);
-        Flow first = flowOf(here, extraordinary, start.w);
         float tau = share * longest / length(first.x);
-        Flow change = varyingStep(region, extraordinary, start.x, start.w, first, tau);
-        ++path.steps;
+        VaryingStep made = varyingStep(region, extraordinary, start.x, start.w, first, tau);
+        Flow change = made.change;
+        Flow last = made.last;
+        path.steps += kLooks;
+        bool again = false;
         if (!ends) {
-            vec3 w = start.w + change.k;
-            Flow last = flowOf(varyingCrystalAt(region, start.x + change.x, w), extraordinary, w);
             Segment segment = curvedSegment(Ray(start.x, first.x), Ray(start.x + change.x, last.x), tau);
             if (freeOf(path) < segment.extent) {
                 hit = intersect(segment, path.objects, path.departs);
                 path.steps += hit.looks;
                 ends = hit.object >= 0;
                 if (ends) share = hit.s / segment.extent;
+                again = ends && share > 0.0;
             }
-            if (ends && share > 0.0) continue;
         }
-        if (share > 0.0) {
+        if (!again && share > 0.0) {
             float extent = length(change.x);
             if (kSamples)
                 onPiece(path, load, Piece(start.x, change.x, start.x + 0.5 * change.x, change.x / max(extent, 1.0e-20),
-                                          extent, here.o, region));
+                                          extent, first.o, region));
             if (kMeasures) path.lengths += dvec2(dot(start.w + 0.5 * change.k, change.x), extent);
             if (path.status != kStopped) goOn(path.ray, path.lost, Ray(change.x, change.k));
             if (path.mode == kTogether) turnOnStep(path, region, start);
+            first = last;
         }
-        path.departs = 0.0;
+        if (!again) path.departs = 0.0;
         if (isOutside(path.ray.x)) path.status = kLeft; // no crystal comes to a face
-        going = !ends && path.status == kAlive && path.steps < path.mostSteps;
+        going = again || (!ends && path.status == kAlive && path.steps < path.mostSteps);
     }
     if (path.status != kAlive) hit.object = -1;
     if (hit.object >= 0) { // a last step of Newton's
         vec4 found = distanceAt(hit.object, path.ray.x);
-        vec3 direction = directionIn(region, path.mode, path.ray.x, path.ray.w, 1.0);
+        vec3 direction = first.x / length(first.x);
         float slope = dot(found.xyz, direction);
         if (abs(found.w) < 0.1 * abs(slope)) path.ray.x -= (found.w / slope) * direction;
         hit.gradient = found.xyz;

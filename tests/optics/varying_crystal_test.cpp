@@ -56,7 +56,7 @@ TEST(VaryingCrystalLibrary, ARayKeepsItsHamiltonianAndIsTheJudges) {
         for (int i = 0; i < 80; ++i) {
             const Flow first = flowOf(varyingAt(x, k), extraordinary, k);
             const double tau = 0.5 / glm::length(first.x);
-            const Flow change = varyingStep(0, extraordinary, x, k, first, tau);
+            const Flow change = varyingStep(0, extraordinary, x, k, first, tau).change;
             x += change.x;
             k += change.k;
             length += 0.5;
