@@ -102,6 +102,12 @@ int addRays(Interface at, mat3 frame, Uniaxial medium, int region, float n, floa
 int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
     bool fromCrystal = isCrystal(at.here);
     if (!fromCrystal) w *= at.n / length(w);
+    vec3 arrived = w;
+    Uniaxial near;
+    Uniaxial beyond;
+    crystalsAt(at, near, beyond);
+    // Both waves together have the o-wave's way.
+    if (at.mode == kTogether) w *= near.o / length(w);
     vec3 along = w - dot(w, at.normal) * at.normal;
     float q = length(along);
     vec3 x = along / max(q, 1.0e-20);
@@ -110,9 +116,6 @@ int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgo
         x = normalize(cross(helper, at.normal));
     }
     mat3 frame = mat3(x, cross(at.normal, x), at.normal);
-    Uniaxial near;
-    Uniaxial beyond;
-    crystalsAt(at, near, beyond);
     near = uniaxialIn(frame, at.here, near, at.n);
     beyond = uniaxialIn(frame, at.there, beyond, at.beyond);
     Crossing made = crossingOf(near, beyond, q);
@@ -130,8 +133,14 @@ int scatterPolarised(Interface at, vec3 w, ObjectSet objects, out Outgoing outgo
     vec3 mirrors = scene.regions[at.object].reflectance.xyz;
     int count = addRays(at, frame, beyond, at.there, at.beyond, q, made.k.xy, sentOn(state, fromO.on, fromE.on), vec3(1.0),
                         at.objects, 0, outgoing);
-    return addRays(at, frame, near, at.here, at.n, q, made.k.zw, sentOn(state, fromO.back, fromE.back), mirrors, objects,
-                   count, outgoing);
+    count = addRays(at, frame, near, at.here, at.n, q, made.k.zw, sentOn(state, fromO.back, fromE.back), mirrors, objects,
+                    count, outgoing);
+    if (count == 0) { // it grazes so much that by a rounding no such wave arrives
+        vec3 back = arrived - 2.0 * dot(arrived, at.normal) * at.normal;
+        outgoing[count++] = Outgoing(back, 1.0, mirrors, objects, abs(dot(normalize(back), at.normal)), at.mode,
+                                     at.polarisation);
+    }
+    return count;
 }
 
 // What both waves of a crystal, together, do to each other on a straight way that ends where the path is.
