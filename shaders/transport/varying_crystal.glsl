@@ -47,6 +47,13 @@ void addRow(inout CrystalSums sums, ivec3 at, vec4 wx, vec4 sx, vec2 y, vec2 z, 
     addTexel(sums, at + ivec3(3, 0, 0), wx.w * slope.x, vec3(sx.w, wx.w, wx.w) * slope, pureK, mixedK);
 }
 
+void addSlice(inout CrystalSums sums, ivec3 at, vec4 wx, vec4 sx, vec4 wy, vec4 sy, vec2 z, vec3 pureK, vec3 mixedK) {
+    addRow(sums, at, wx, sx, vec2(wy.x, sy.x), z, pureK, mixedK);
+    addRow(sums, at + ivec3(0, 1, 0), wx, sx, vec2(wy.y, sy.y), z, pureK, mixedK);
+    addRow(sums, at + ivec3(0, 2, 0), wx, sx, vec2(wy.z, sy.z), z, pureK, mixedK);
+    addRow(sums, at + ivec3(0, 3, 0), wx, sx, vec2(wy.w, sy.w), z, pureK, mixedK);
+}
+
 VaryingCrystal varyingCrystalAt(int region, vec3 x, vec3 k) {
     ivec3 last = textureSize(crystals, 0) - 5;
     vec3 at = clamp(x - scene.crystals.xyz, vec3(-0.999), vec3(last) + 0.999);
@@ -61,14 +68,11 @@ VaryingCrystal varyingCrystalAt(int region, vec3 x, vec3 k) {
     vec3 pureK = k * k;
     vec3 mixedK = 2.0 * k.yzx * k.zxy;
     CrystalSums sums = CrystalSums(vec4(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    for (int c = 0; c < 4; ++c) {
-        ivec3 row = ivec3(cell) + ivec3(1, 1, 1 + c);
-        vec2 z = vec2(wz[c], sz[c]);
-        addRow(sums, row, wx, sx, vec2(wy.x, sy.x), z, pureK, mixedK);
-        addRow(sums, row + ivec3(0, 1, 0), wx, sx, vec2(wy.y, sy.y), z, pureK, mixedK);
-        addRow(sums, row + ivec3(0, 2, 0), wx, sx, vec2(wy.z, sy.z), z, pureK, mixedK);
-        addRow(sums, row + ivec3(0, 3, 0), wx, sx, vec2(wy.w, sy.w), z, pureK, mixedK);
-    }
+    ivec3 first = ivec3(cell) + 1;
+    addSlice(sums, first, wx, sx, wy, sy, vec2(wz.x, sz.x), pureK, mixedK);
+    addSlice(sums, first + ivec3(0, 0, 1), wx, sx, wy, sy, vec2(wz.y, sz.y), pureK, mixedK);
+    addSlice(sums, first + ivec3(0, 0, 2), wx, sx, wy, sy, vec2(wz.z, sz.z), pureK, mixedK);
+    addSlice(sums, first + ivec3(0, 0, 3), wx, sx, wy, sy, vec2(wz.w, sz.w), pureK, mixedK);
     RegionParams here = scene.regions[region];
     float scale = 1.0; // of D, by the wavelength
     if (kDisperses) {
@@ -93,7 +97,7 @@ Uniaxial varyingUniaxialAt(int region, vec3 x) {
 vec3 polarisedAlong(int region, vec3 s, vec3 x, vec3 along, inout int steps) {
     const float kGauss = 0.28867513459481287; // √3/6
     const float kBent = 0.05;  // what ω's turn on a piece may add to it [rad]
-    const float kLeast = 0.02; // [voxel]
+    const float kLeast = 0.1;  // [voxel]
     float extent = length(along);
     vec3 d = along / max(extent, 1.0e-20);
     vec3 f = acrossOf(d);
