@@ -10,11 +10,15 @@ PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
 TOOLS  := meshgen mesh2vol sim2vol volpaint volsmooth lightsim render
 
-.PHONY: all packages configure demo animation gallery test test-all bench accuracy scale effects \
+.PHONY: all stages packages configure demo animation gallery test test-all bench accuracy scale effects \
         instructions fuzz docs golden format install bundle clean
 
 all: configure
 	cmake --build $(BUILD) -j $(JOBS)
+
+# The tools alone, as pipelines want them.
+stages: configure
+	cmake --build $(BUILD) -j $(JOBS) --target stages
 
 configure:
 	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release >$(BUILD).log 2>&1 \
@@ -26,20 +30,20 @@ packages:
 
 # A real scanned mesh, lit and seen: out/bunny.exr and out/bunny.png.
 demo: packages
-	$(MAKE) all
+	$(MAKE) stages
 	$(MAKE) -f pipelines/bunny.mk BIN=$(BUILD)/bin OUT=$(OUT)
 	@echo "demo: look at $(OUT)/bunny.png ($(OUT)/bunny.exr has the radiance)"
 
 # Bodies that deform, in image space beside the same frames through volumes: out/animation/contact.png,
 # and a film where ffmpeg is.
 animation: packages
-	$(MAKE) all
+	$(MAKE) stages
 	$(MAKE) -j $(JOBS) -f pipelines/animation.mk BIN=$(BUILD)/bin OUT=$(OUT)
 
 # The sources' own scenes and others, with what each took: out/gallery/index.html.
 gallery: packages
-	$(MAKE) all
-	$(MAKE) -f pipelines/gallery.mk BIN=$(BUILD)/bin OUT=$(OUT)/gallery
+	$(MAKE) stages
+	$(MAKE) -j $(JOBS) -f pipelines/gallery.mk BIN=$(BUILD)/bin OUT=$(OUT)/gallery
 
 # In two minutes what a change most likely breaks; test-all takes some more for the long suites.
 CTEST := ctest --output-on-failure -j $(JOBS)

@@ -10,4 +10,5 @@ $(OUT)/crystals.png:
 	$(MAKE) -f pipelines/crystals.mk BIN=$(BIN) OUT=$(MADE) SAMPLES=$(SAMPLES)
 	for name in rhomb tourmaline wedge; do oiiotool $(MADE)/crystals/$$name.png --ch R,G,B \
 	  --resize $(WIDTH)x0 -o $(MADE)/$$name.png || exit 1; done
-	oiiotool $(MADE)/rhomb.png $(MADE)/tourmaline.png $(MADE)/wedge.png --mosaic 1x3 -d uint8 -o $@
+	oiiotool $(MADE)/wedge.png $(MADE)/tourmaline.png $(MADE)/rhomb.png --create $(WIDTH)x$$(($(WIDTH) * 51 / 40)) 3 \
+	  --paste +0+0 --paste +0+$$(($(WIDTH) / 4)) --paste +0+$$(($(WIDTH) * 7 / 8)) -d uint8 -o $@

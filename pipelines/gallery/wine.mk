@@ -11,7 +11,7 @@ MESHES         := $(MADE)/glass.obj $(MADE)/wine.obj
 VOLUME_OPTIONS  = --ior 1.5 --ior 1.345 --priority 1 --priority 0 --absorption 0 --absorption 0.006,0.12,0.1 \
                   --resolution $(RESOLUTION) --ground '0:0.75,0.62,0.5' --bounds=-50,-6,-50,110,126,104
 SMOOTH         := off
-LIGHT_OPTIONS  ?= --light directional:0.5,-0.86,0.44:2.6,2.5,2.3 --surface-detail 1 --max-depth 7
+LIGHT_OPTIONS  ?= --light directional:0.5,-0.86,0.44:2.6,2.5,2.3 --surface-detail 1 --max-depth 12
 VIEW_OPTIONS    = --eye 60,190,330 --target 14,42,10 --fov 27 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)
 VIEW_FILES      = $(ROOM)
 include pipelines/chain.mk

@@ -361,6 +361,25 @@ TEST(LightSurfaces, AFewWideBeamsLoseNoLight) {
     }
 }
 
+TEST(LightSurfaces, PanesSendEachOthersReflectionsDown) {
+    // What N interfaces of reflectance R let through, all orders summed: (1 − R)/(1 + (N − 1) R).
+    const ivec3 size(24, 44, 24);
+    judge::Glass glass{{judge::glassBox(dvec3(-50, -50, -50), dvec3(70, 6.3, 70), 1)}};
+    for (const double y : {12.2, 20.6, 29.1})
+        glass.solids.push_back(judge::glassBox(dvec3(-50, y, -50), dvec3(70, y + 4.4, 70), 1.5));
+    Params params = onSurfaces(beam({0, -1, 0}), 1, 1 << 10);
+    params.beamCutoff = 1e-5;
+    const Lit lit(sceneOf(glass, size), params);
+    int found = 0;
+    forEachLit(lit.result.irradiance, [&](const dvec3& x, const glm::vec3& e) {
+        if (!within(x, size, 4)) return;
+        ++found;
+        EXPECT_NEAR(e.x, 0.96 / (1 + 5 * 0.04), 1e-3) << x.x << " " << x.y << " " << x.z;
+    });
+    EXPECT_GE(found, 16 * 16);
+    EXPECT_LT(lit.counter("light_dropped_by_depth"), 1e-4);
+}
+
 TEST(LightSurfaces, APointLightFallsOffWithTheSquare) {
     const judge::Glass floor{{judge::glassBox(dvec3(-9), {40, 3, 40}, 1)}};
     const dvec3 place(12, 20, 12);
