@@ -1,15 +1,16 @@
 # Crystals: a rhomb of calcite before printed text, without and with a polariser; tourmaline seen across its axis and
-# along it; a wedge of quartz between crossed polarisers.
-#   make -f pipelines/crystals.mk [BIN=build/bin] [OUT=out] [SAMPLES=9]
+# along it; a wedge of quartz, and a disc that is compressed, between crossed polarisers.
+#   make -f pipelines/crystals.mk [BUILD=build] [OUT=out] [SAMPLES=9]
 # SPDX-License-Identifier: GPL-3.0-or-later
-BIN     ?= build/bin
+BUILD   ?= build
+BIN     ?= $(BUILD)/bin
 OUT     ?= out
 SAMPLES ?= 9
 DIR     := $(OUT)/crystals
 PRISM   := awk -f pipelines/crystals/prism.awk
 .DELETE_ON_ERROR:
-.PHONY: all
-all: $(DIR)/rhomb.png $(DIR)/tourmaline.png $(DIR)/wedge.png
+.PHONY: all FORCE
+all: $(DIR)/rhomb.png $(DIR)/tourmaline.png $(DIR)/wedge.png $(DIR)/stress.png
 
 $(DIR):
 	mkdir -p $@
@@ -61,6 +62,25 @@ $(DIR)/wedge.vdb: $(DIR)/wedge.obj
 $(DIR)/wedge.exr: $(DIR)/wedge.vdb
 	$(BIN)/render $< -o $@ --eye 0,0,9 --target 0,0,0 --ortho 1.8 --size 640x256 --background 1 --unit 2.5e-4 \
 	  --polarizer 0 --back-polarizer 90 --wavelengths 8 --samples 4
+
+# ---- a disc of epoxy, 40 mm across and 4 mm thick, that two forces compress until the middle is of the order 2.5 in
+# yellow, with the polarisers along the
+# forces and at 45° to them
+$(DIR)/disc.obj: | $(DIR)
+	printf '2 0\n2 0.4\n' | $(BIN)/meshgen revolve - -o $@
+$(DIR)/disc.vdb: $(DIR)/disc.obj
+	$(BIN)/mesh2vol $< -o $@ --ior 1.58 --resolution 128 --smooth 0
+$(BUILD)/tests/stressed_disc: FORCE
+	@cmake --build $(BUILD) --target stressed_disc >/dev/null
+$(DIR)/stressed.vdb: $(DIR)/disc.vdb | $(BUILD)/tests/stressed_disc
+	$(BUILD)/tests/stressed_disc $< $@ 2 3.68e-4
+ABOVE := --eye 0,9,0 --target 0,0,0 --up 0,0,1 --ortho 4.2 --size 240x240 --background 1 --unit 1e-2 --samples 2
+$(DIR)/stress_0.exr: $(DIR)/stressed.vdb
+	$(BIN)/render $< -o $@ $(ABOVE) --polarizer 0 --back-polarizer 90 --wavelengths 16
+$(DIR)/stress_45.exr: $(DIR)/stressed.vdb
+	$(BIN)/render $< -o $@ $(ABOVE) --polarizer 45 --back-polarizer 135 --wavelengths 16
+$(DIR)/stress.exr: $(DIR)/stress_0.exr $(DIR)/stress_45.exr
+	oiiotool $(DIR)/stress_0.exr --ch R,G,B $(DIR)/stress_45.exr --ch R,G,B --mosaic 2x1 --mulc 2 -d float -o $@
 
 $(DIR)/%.png: $(DIR)/%.exr
 	oiiotool $< --ch R,G,B --colorconvert linear sRGB -d uint8 -o $@

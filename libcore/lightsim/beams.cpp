@@ -66,7 +66,7 @@ std::int64_t cellsOf(const Params& params) {
 }
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
-    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
+    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing, plan.polarised);
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
     switches.emplace_back("EXTENDED", plan.sourcesDiffer);
@@ -108,9 +108,9 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mSort(device, "lightsim/beam_sort.comp.glsl",
             {{"CHANNELS", plan.tracedChannels()},
              {"CULLS", !plan.points.empty()},
-             {"CRYSTALS", plan.scene.anyCrystal()}}),
+             {"CRYSTALS", plan.polarises()}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
-      mFollow(device, "lightsim/beam_follow.comp.glsl", {{"CRYSTALS", plan.scene.anyCrystal()}}),
+      mFollow(device, "lightsim/beam_follow.comp.glsl", {{"CRYSTALS", plan.polarises()}}),
       mCut(device, "lightsim/beam_cut.comp.glsl", {}),
       mDeposit(device, "lightsim/beam_deposit.comp.glsl",
                {{"CHANNELS", plan.tracedChannels()}, {"SURFACE_FLOW", plan.sumsFlow()}}),
@@ -119,7 +119,7 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
                                                                          dvec3(plan.scene.size()) -
                                                                              0.5},
-      mMapCells(cellsOf(params)), mBranchBits(plan.scene.anyCrystal() ? 2 : 1),
+      mMapCells(cellsOf(params)), mBranchBits(plan.polarises() ? 2 : 1),
       mManyObjects(scene::areMany(plan.scene.objects)),
       mAimsEverywhere(!plan.scene.sharp || plan.bends) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
@@ -405,6 +405,7 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     mParams.origin = vec4(window.origin, window.startsAtLight ? 1 : 0);
     mParams.axis = axisOf(window.source);
     mParams.cone = coneOf(window.source);
+    mParams.polarizer = vec4(window.source.polarizer, 0);
     const glm::dvec2 cell = 1.0 / glm::dvec2(window.pixels);
     mParams.batch =
         vec4(glm::dvec2(batch.low) * cell, cell / static_cast<double>(mParams.levels.x));
@@ -451,7 +452,7 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
     const std::int64_t wanted = cellsOf(params);
     const std::int64_t cells =
         std::min<std::int64_t>(wanted > 0 ? wanted : kMostCells, kBatchCells * kBatchCells);
-    const std::int64_t branches = plan.scene.anyCrystal() ? 4 : 2;
+    const std::int64_t branches = plan.polarises() ? 4 : 2;
     const std::int64_t point = kPointBytes + 4 + 2 * 4 * branches +
                                (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     // Of one generation, with those of cells that are split.

@@ -16,7 +16,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params) {
-    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
+    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing, plan.polarised);
     std::erase_if(switches, [](const auto& item) { return item.first == "INTEGRATOR"; });
     switches.emplace_back("EXTENDED", plan.sourcesDiffer);
     return switches;
@@ -88,7 +88,7 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
       mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
       mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
       mTarget(mDomain), mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
-      mManyObjects(scene::areMany(plan.scene.objects)), mCrystals(plan.scene.anyCrystal()),
+      mManyObjects(scene::areMany(plan.scene.objects)), mPolarises(plan.polarises()),
       mSourcesDiffer(plan.sourcesDiffer), mStartsOnDomain(params.proxy.empty()) {
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
@@ -172,6 +172,7 @@ void Emission::emit(gpu::Device& device, const Part& part, std::int64_t first, P
     // Windows of points are not shifted: their rays are, within the pixels.
     const bool shifts = window.point && (onFaces || window.startsAtLight);
     const dvec2 inPixel = shifts ? glm::fract(0.5 + shiftOf(part.number)) : dvec2(0.5);
+    values.polarizer = vec4(window.source.polarizer, 0);
     values.cone = coneOf(window.source);
     values.cone.z = static_cast<float>(inPixel.x);
     values.cone.w = static_cast<float>(inPixel.y);
@@ -193,7 +194,7 @@ std::uint32_t Emission::emit(gpu::Device& device, const scene::Transport& transp
                              const Batch& batch, Photons& photons) {
     glm::ivec2 largest(0);
     for (const Part& part : batch.parts) largest = glm::max(largest, part.window.pixels);
-    photons.fit(device, batch.pixels(), largest, mManyObjects, mCrystals);
+    photons.fit(device, batch.pixels(), largest, mManyObjects, mPolarises);
     photons.count.clear();
     photons.map.bindSampler(kPhotonMapUnit);
     transport.bind();

@@ -50,7 +50,7 @@ private:
     double mVoxelSize;
     std::uint32_t mSeed = 0;
     bool mManyObjects;    ///< more than a photon's own bits tell
-    bool mCrystals;       ///< photons have modes and polarisations
+    bool mPolarises;      ///< photons have modes and polarisations
     bool mSourcesDiffer;  ///< in weight, or by direction
     bool mStartsOnDomain; ///< there is no proxy
 };

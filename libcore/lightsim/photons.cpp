@@ -16,7 +16,7 @@ namespace {
 constexpr unsigned kStepsPerRun = 48;
 
 gpu::Switches switchesOf(const Plan& plan, const Params& params, bool bounced) {
-    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing);
+    gpu::Switches switches = scene::transportSwitches(plan.scene, params.tracing, plan.polarised);
     switches.emplace_back("CHANNELS", plan.tracedChannels());
     switches.emplace_back("MEDIUM", !plan.attenuates ? 0 : plan.dense ? 2 : 1);
     switches.emplace_back("DIRECTION", plan.wants(Output::direction));
@@ -32,7 +32,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params, bool bounced) {
 } // namespace
 
 void Photons::fit(gpu::Device& device, std::int64_t all, const glm::ivec2& largest,
-                  bool manyObjects, bool crystals) {
+                  bool manyObjects, bool polarised) {
     if (mapSize != largest) {
         mapSize = largest;
         map = gpu::Texture(); // freed before the next is allocated
@@ -47,7 +47,7 @@ void Photons::fit(gpu::Device& device, std::int64_t all, const glm::ivec2& large
     list = gpu::Buffer(device, all * 4);
     nextList = gpu::Buffer(device, all * 4);
     if (manyObjects) objects = gpu::Buffer(device, all * kBytesPerSet);
-    if (crystals) polarisations = gpu::Buffer(device, all * kBytesPerPolarisation);
+    if (polarised) polarisations = gpu::Buffer(device, all * kBytesPerPolarisation);
     if (count.bytes() == 0) count = gpu::Buffer(device, 16);
 }
 

@@ -172,6 +172,7 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
     for (const Light& light : params.lights) {
         plan.colouredLight |= !isGrey(light.rgb);
         plan.sourcesDiffer |= light.isExtended() || light.kind == Light::Kind::spot;
+        plan.polarised |= scene.sharp && light.polarizer != glm::dvec3(0);
     }
     if (plan.wants(Output::irradiance)) plan.surfaces = findSurfaces(scene, params.surfaceDetail);
     if (!params.points.empty()) {
@@ -192,6 +193,13 @@ Plan makePlan(const volume::Volume& volume, const Params& params) {
         throw UsageError("--method: " + volume.path() +
                          " has crystals, through which no wavefronts are traced; expected auto, "
                          "beams or photons");
+    if (plan.polarised && (scene.anyMetal() || scene.anyRough()))
+        throw DataError(volume.path() +
+                        ": has metal or rough boundaries, which a light's polarizer "
+                        "expects none of");
+    if (plan.polarised && params.method == Method::wavefront)
+        throw UsageError("--light: found a polarizer, which wavefronts do not carry; expected "
+                         "--method auto, beams or photons");
     const bool rough = scene.anyRough();
     if (rough && (params.method == Method::beams || params.method == Method::wavefront))
         throw UsageError(
@@ -253,7 +261,7 @@ std::vector<gpu::Need> needsOf(const Plan& plan, const Params& params) {
     const std::int64_t photon =
         kBytesPerPhoton + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
     needs.push_back({"the photons", pixels * photon, true, 0});
-    if (plan.scene.anyCrystal())
+    if (plan.polarises())
         needs.push_back({"the photons' polarisations", pixels * kBytesPerPolarisation, true, 0});
     return needs;
 }

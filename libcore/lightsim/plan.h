@@ -34,6 +34,7 @@ struct Plan {
     std::vector<PointOnSurface> points; ///< that are asked for their light, in voxel space
     bool photons = false;               ///< photons are sent
     bool beams = false;                 ///< beams are
+    bool polarised = false;             ///< a light has a polariser, and boundaries tell
     int bounces = 0;                    ///< times that surfaces send light on, by photons
     bool wavefront = false;             ///< wavefronts are
     std::vector<Effect> effects;
@@ -50,7 +51,8 @@ struct Plan {
     int fluenceChannels() const { return colour || colouredLight || scene.disperses ? 3 : 1; }
     int directionChannels() const { return wants(Output::direction) ? 3 : 0; }
     bool sendsPhotons() const { return photons || bounces > 0; }
-    bool sumsFlow() const { return !points.empty(); } ///< on surfaces
+    bool polarises() const { return polarised || scene.anyCrystal(); } ///< paths have modes
+    bool sumsFlow() const { return !points.empty(); }                  ///< on surfaces
     /// Fixed-point sums, one a traced channel and component of the direction.
     int planes() const { return tracedChannels() + directionChannels(); }
     std::int64_t voxels() const { return scene.voxels(); }

@@ -18,7 +18,7 @@ using glm::vec4;
 #include "shared/lightsim_params.h"
 #include "shared/limits.h"
 
-static_assert(sizeof(EmissionParams) == 256);
+static_assert(sizeof(EmissionParams) == 272);
 static_assert(sizeof(PhotonParams) == 112);
 static_assert(sizeof(ResolveParams) == 112);
 static_assert(sizeof(Photon) == 96);
@@ -27,7 +27,7 @@ static_assert(sizeof(SurfacePoint) == 32);
 static_assert(sizeof(PointLight) == 32);
 static_assert(sizeof(BeamPoint) == 80);
 static_assert(sizeof(BeamNode) == 64);
-static_assert(sizeof(BeamParams) == 288);
+static_assert(sizeof(BeamParams) == 304);
 static_assert(sizeof(FrontParams) == 144);
 static_assert(sizeof(FrontCorner) == 64);
 static_assert(sizeof(FrontPatch) == 48);

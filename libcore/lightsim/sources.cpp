@@ -144,6 +144,7 @@ std::vector<Source> sourcesOf(const Light& light, int count, Keep keep,
         source.vector = source.isPoint() ? dvec3(voxelFromWorld * glm::dvec4(source.vector, 1.0))
                                          : turned(source.vector);
         source.axis = turned(source.axis);
+        if (light.polarizer != dvec3(0)) source.polarizer = turned(light.polarizer);
     }
     return sources;
 }

@@ -20,6 +20,7 @@ struct Source {
     glm::dvec3 rgb{1};           ///< irradiance [W/m²], or radiant intensity on the axis [W/sr]
     glm::dvec3 axis{0, 0, 1};
     double inner = 0, outer = 0; ///< cone: the angles between which it fades [rad]
+    glm::dvec3 polarizer{0};     ///< as scene::Light's, voxel space
 
     bool isPoint() const { return spread != Spread::parallel; }
 };

@@ -19,20 +19,20 @@ using glm::ivec3;
 using glm::vec3;
 
 /// Pages of voxels, one behind the other along z, of the regions whose coefficients vary:
-/// `pack(region, voxel, out)` fills a texel.
+/// `pack(region, along, voxel, out)` fills a texel, `along` on a crystal's page of light that is
+/// polarised along its axis.
 template<typename PackOf>
 gpu::Texture makePages(gpu::Device& device, const Scene& scene, bool floorAtZero,
                        const PackOf& pack) {
     const ivec3 page = scene.layout.texels();
     const gpu::TexelFormat format = gpu::TexelFormat::rgba32f;
-    gpu::Texture texture(device, {page.x, page.y, page.z * scene.varyingRegions()}, format,
+    gpu::Texture texture(device, {page.x, page.y, page.z * scene.coefficientPages()}, format,
                          gpu::Filter::linear);
     int slice = 0;
     for (const Region& region : scene.regions) {
-        if (!region.coefficientsVary()) continue;
-        fillVoxels(texture, slice, scene.layout, format, floorAtZero,
-                   [&](const ivec3& voxel, float* out) { pack(region, voxel, out); });
-        slice += page.z;
+        for (int i = 0; i < region.coefficientPages(); ++i, slice += page.z)
+            fillVoxels(texture, slice, scene.layout, format, floorAtZero,
+                       [&](const ivec3& voxel, float* out) { pack(region, i > 0, voxel, out); });
     }
     return texture;
 }
@@ -57,12 +57,11 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
     const ivec3 page = scene.layout.texels();
     int pages = 0;
     values.page =
-        vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.varyingRegions(), 1)), 0);
+        vec4(1.0f / vec3(page.x, page.y, page.z * std::max(scene.coefficientPages(), 1)), 0);
     for (size_t r = 0; r < scene.regions.size(); ++r) {
         const Region& region = scene.regions[r];
-        const bool varies = region.coefficientsVary();
-        values.regions[r] = paramsOf(region, h, scene.worldFromVoxelTurn(),
-                                     varies ? static_cast<float>(page.z * pages++) : -1);
+        values.regions[r] = paramsOf(region, h, scene.worldFromVoxelTurn(), page.z * pages, page.z);
+        pages += region.coefficientPages();
     }
     if (areMany(scene.objects)) {
         const BlockTable blocks(scene.objects);
@@ -70,8 +69,10 @@ Boundaries::Boundaries(gpu::Device& device, const Scene& scene) {
             values.boxes[k] = {ivec4(blocks.boxes[k].low, blocks.boxes[k].begin),
                                ivec4(blocks.boxes[k].size, 0)};
     }
+    if (scene.anyVaryingCrystal()) values.crystals = vec4(vec3(crystalBox(scene).min), 0);
     mParams = gpu::Buffer(device, sizeof values, &values);
     if (pages > 0) makeCoefficients(device, scene, h);
+    if (scene.anyVaryingCrystal()) mCrystals = CrystalField(device, scene);
     mClearance = gpu::Texture(device, table.size, gpu::TexelFormat::r32f, gpu::Filter::linear);
     mClearance.upload(table.clearance.data());
     if (scene.objects.size() == 1) return;
@@ -91,17 +92,19 @@ void Boundaries::makeCoefficients(gpu::Device& device, const Scene& scene, float
     const auto rgb = [h](const Values& values, const ivec3& voxel, float* out) {
         for (int c = 0; c < 3; ++c) out[c] = values.at(voxel, c) * h;
     };
-    mCoefficients[0] =
-        makePages(device, scene, false, [&](const Region& r, const ivec3& i, float* out) {
-            rgb(r.absorption, i, out);
-            out[3] = r.anisotropy.at(i, 0);
-        });
+    mCoefficients[0] = makePages(device, scene, false,
+                                 [&](const Region& r, bool along, const ivec3& i, float* out) {
+                                     rgb(along ? r.absorptionExtraordinary : r.absorption, i, out);
+                                     out[3] = r.anisotropy.at(i, 0);
+                                 });
     mCoefficients[1] =
-        makePages(device, scene, true,
-                  [&](const Region& r, const ivec3& i, float* out) { rgb(r.scattering, i, out); });
+        makePages(device, scene, true, [&](const Region& r, bool, const ivec3& i, float* out) {
+            rgb(r.scattering, i, out);
+        });
     mCoefficients[2] =
-        makePages(device, scene, true,
-                  [&](const Region& r, const ivec3& i, float* out) { rgb(r.emission, i, out); });
+        makePages(device, scene, true, [&](const Region& r, bool, const ivec3& i, float* out) {
+            rgb(r.emission, i, out);
+        });
 }
 
 void Boundaries::bind() const {
@@ -112,11 +115,12 @@ void Boundaries::bind() const {
         if (mCoefficients[i].name() != 0) mCoefficients[i].bindSampler(kAbsorptionsUnit + i);
     if (mNearby.name() != 0) mNearby.bindSampler(kNearbyUnit);
     if (mSets.name() != 0) mSets.bindSampler(kSetsUnit);
+    mCrystals.bind();
 }
 
 std::vector<gpu::Need> boundaryNeeds(const Scene& scene) {
     const ivec3 page = scene.layout.texels();
-    const std::int64_t pages = scene.varyingRegions();
+    const std::int64_t pages = scene.coefficientPages();
     const int edge = tableEdge(scene.size());
     const ivec3 cubes = (scene.size() + edge - 1) / edge;
     std::vector<gpu::Need> needs = atlasNeeds(scene.objects);
@@ -126,6 +130,7 @@ std::vector<gpu::Need> boundaryNeeds(const Scene& scene) {
         {"the table of boundaries",
          std::int64_t{cubes.x} * cubes.y * cubes.z * (scene.objects.size() == 1 ? 4 : 8), false,
          std::max({cubes.x, cubes.y, cubes.z})});
+    if (scene.anyVaryingCrystal()) needs.push_back(crystalNeed(scene));
     return needs;
 }
 

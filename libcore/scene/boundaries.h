@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/resources.h"
+#include "scene/crystal_field.h"
 #include "scene/distance_atlas.h"
 #include "scene/scene.h"
 
@@ -20,6 +21,7 @@ public:
 private:
     void makeCoefficients(gpu::Device& device, const Scene& scene, float voxelSize);
     DistanceAtlas mDistances;
+    CrystalField mCrystals;
     gpu::Texture mClearance, mNearby, mSets, mCoefficients[3];
     gpu::Buffer mParams;
 };

@@ -24,7 +24,7 @@ class Varying {
 public:
     explicit Varying(const Scene& scene) : mScene(scene) {
         for (size_t k = 0; k < scene.objects.size(); ++k)
-            if (scene.regions[k].indexVaries()) mObjects.push_back(k);
+            if (scene.regions[k].indexVaries() && !scene.regions[k].crystal) mObjects.push_back(k);
     }
 
     bool any() const { return !mObjects.empty(); }

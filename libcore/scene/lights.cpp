@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 #include <vector>
 
 namespace eikonal::scene {
@@ -17,7 +18,8 @@ namespace eikonal::scene {
 const char* const kLightSpecs =
     "directional:DX,DY,DZ[:R,G,B[:DEG]], point:X,Y,Z[:R,G,B], "
     "spot:X,Y,Z:DX,DY,DZ:ANGLE[:SOFT][:R,G,B], rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], "
-    "sphere:X,Y,Z:RADIUS[:R,G,B] or environment:FILE, each as NAME=SPEC if wanted";
+    "sphere:X,Y,Z:RADIUS[:R,G,B] or environment:FILE, each as NAME=SPEC if wanted, and with "
+    ":polarizer=X,Y,Z behind it, but of an environment";
 
 namespace {
 
@@ -35,6 +37,17 @@ public:
         return UsageError("--light: found '" + mSpec + "' (" + why + "), expected " + kLightSpecs);
     }
     void read(const std::string& text) { mParts = split(text, ':'); }
+    /// The direction of a polariser, which may be the last part; 0 if it is not there.
+    dvec3 takePolarizer() {
+        const std::string key = "polarizer=";
+        if (mParts.empty() || mParts.back().rfind(key, 0) != 0) return dvec3(0);
+        mParts.back().erase(0, key.size());
+        const size_t before = std::exchange(mNext, mParts.size() - 1);
+        const dvec3 along = direction();
+        mNext = before;
+        mParts.pop_back();
+        return along;
+    }
     size_t left() const { return mParts.size() - mNext; }
     void expectEnd() const {
         if (left() > 0) throw bad("too many parts");
@@ -170,6 +183,8 @@ Light parseLight(const std::string& spec) {
     const std::string values = kind.size() < rest.size() ? rest.substr(kind.size() + 1) : "";
     if (kind == "environment") {
         if (values.empty()) throw parts.bad("no file");
+        if (values.find(":polarizer=") != std::string::npos)
+            throw parts.bad("an environment has no polarizer");
         light.kind = Kind::environment;
         light.file = values;
         return light;
@@ -188,8 +203,10 @@ Light parseLight(const std::string& spec) {
         if (values.empty()) throw parts.bad("wrong number of parts");
         parts.read(values);
         light.kind = known.kind;
+        light.polarizer = parts.takePolarizer();
         known.parse(parts, light);
         parts.expectEnd();
+        if (light.polarizer != dvec3(0)) light.rgb *= 0.5;
         return light;
     }
     throw parts.bad("no such kind of light");

@@ -33,8 +33,11 @@ struct Light {
     std::string file{};                  ///< environment: FILE or FILE:LAYER
     std::shared_ptr<image::Image> map{}; ///< environment: R, G, B, radiance, read by who parsed it
     glm::dmat3 mapFromWorld{1};          ///< environment: its pose
-    std::string name{};                  ///< of its layers and files
-    std::string spec{};                  ///< as it was given
+    /// Its polariser lets through light whose E lies in the plane of this direction and the ray,
+    /// half of what is unpolarised, of which rgb is what is left; 0: it has none. World space.
+    glm::dvec3 polarizer{0};
+    std::string name{}; ///< of its layers and files
+    std::string spec{}; ///< as it was given
 
     /// Whether many points or directions stand for it.
     bool isExtended() const;

@@ -31,6 +31,8 @@ void requireMergeable(const std::vector<Part>& parts) {
         const std::string overlaps =
             scene.path + ": its domain overlaps that of " + other.path + ", expected them apart: ";
         if (!scene.sharp) throw DataError(overlaps + "its boundaries are blurred");
+        if (scene.anyVaryingCrystal())
+            throw DataError(overlaps + "it has a crystal that varies within");
         if (!scene.isClearAround())
             throw DataError(overlaps + "what surrounds its objects is no clear, even medium");
     }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/regions.h"
 
+#include "base/error.h"
 #include "scene/shared.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace eikonal::scene {
 
@@ -70,6 +72,13 @@ public:
            std::string suffix, bool ownGrids)
         : mVolume(volume), mBox(box), mObject(object), mSuffix(std::move(suffix)), mOwn(ownGrids) {}
 
+    /// The values of a grid if it is there.
+    std::optional<Values> given(const std::string& grid) const {
+        const std::string name = mOwn ? volume::ownGrid(grid, mSuffix) : grid;
+        return mVolume.has(name) ? std::optional(read(name, absentValue(grid))) : std::nullopt;
+    }
+    const std::string& path() const { return mVolume.path(); }
+
     Values operator()(const std::string& grid) const {
         const std::string own = volume::ownGrid(grid, mSuffix);
         if (mSuffix == volume::kMedium && !mVolume.has(own))
@@ -126,6 +135,33 @@ Region readAll(const std::string& name, const Object* object, const Reader& read
     return region;
 }
 
+/// Its crystal, by grids or by its level set's metadata.
+void readCrystal(Region& region, const volume::ObjectFacts& facts, const Reader& read) {
+    region.crystal = facts.crystal;
+    const auto axis = read.given("axis"), index = read.given("ior_extraordinary"),
+               absorption = read.given("absorption_extraordinary");
+    if (!facts.crystal) {
+        if (!axis && !index && !absorption) return;
+        const auto requireWith = [&](const char* missing, bool found) {
+            const std::string there = axis    ? "axis"
+                                      : index ? "ior_extraordinary"
+                                              : "absorption_extraordinary";
+            if (!found)
+                throw DataError(read.path() + ": '" + region.name + "' has a grid '" + there +
+                                "' and none of '" + missing + "', expected both, of one crystal");
+        };
+        requireWith("axis", axis.has_value());
+        requireWith("ior_extraordinary", index.has_value());
+        region.crystal = volume::Crystal{1, region.dispersion.value.x, {}, {}};
+    }
+    region.absorbsAlike = !absorption && !facts.crystal;
+    region.axis = axis ? *axis : Values{facts.crystal->axis, {}};
+    region.indexExtraordinary = index ? *index : Values{vec3(facts.crystal->index), {}};
+    region.absorptionExtraordinary = absorption            ? *absorption
+                                     : region.absorbsAlike ? region.absorption
+                                                           : Values{facts.crystal->absorption, {}};
+}
+
 } // namespace
 
 bool Values::grey() const {
@@ -150,8 +186,15 @@ float Region::indexAt(const glm::ivec3& voxel, float term) const {
     return index.at(voxel, 0) + term * dispersion.at(voxel, 0);
 }
 
-bool Region::coefficientsVary() const {
-    return absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
+int Region::coefficientPages() const {
+    const bool along = absorptionExtraordinary.varies() && !absorbsAlike;
+    const bool plain =
+        absorption.varies() || scattering.varies() || anisotropy.varies() || emission.varies();
+    return (plain || along ? 1 : 0) + (along ? 1 : 0);
+}
+
+bool Region::crystalVaries() const {
+    return crystal && (axis.varies() || indexExtraordinary.varies() || index.varies());
 }
 
 Values readValues(const volume::Volume& volume, const std::string& grid,
@@ -166,19 +209,24 @@ Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts
     region.roughness = facts.roughness;
     region.metal = facts.metal;
     region.opaque = region.opaque || region.metal;
-    region.crystal = facts.crystal;
-    if (facts.crystal) region.absorptionExtraordinary.value = facts.crystal->absorption;
+    if (object) readCrystal(region, facts, Reader(volume, box, object, facts.name, own));
     return region;
 }
 
-RegionParams paramsOf(const Region& region, float voxelSize, const glm::dmat3& turn, float page) {
+RegionParams paramsOf(const Region& region, float voxelSize, const glm::dmat3& turn, int page,
+                      int texels) {
+    const int pages = region.coefficientPages();
     RegionParams params{};
-    params.index =
-        vec4(region.index.value.x, region.indexVaries(), region.opaque, region.dispersion.value.x);
-    params.absorption = vec4(region.absorption.value * voxelSize, page);
+    params.index = vec4(region.index.value.x, region.indexVaries() && !region.crystal,
+                        region.opaque, region.dispersion.value.x);
+    params.absorption =
+        vec4(region.absorption.value * voxelSize, pages > 0 ? static_cast<float>(page) : -1);
     params.scattering = vec4(region.scattering.value * voxelSize, region.anisotropy.value.x);
-    params.emission = vec4(region.emission.value * voxelSize, 0);
-    params.albedo = vec4(region.albedo.value, 0);
+    const float along = pages > 1 ? static_cast<float>(page + texels) : -1;
+    params.emission = vec4(region.emission.value * voxelSize,
+                           region.absorbsAlike && region.absorption.varies() ? kAsOrdinary : along);
+    const bool varies = region.crystalVaries();
+    params.albedo = vec4(region.albedo.value, !varies ? 0 : region.index.varies() ? 2 : 1);
     params.reflectance = vec4(region.reflectance.value, region.roughness);
     if (region.crystal) {
         const volume::Crystal& crystal = *region.crystal;

@@ -42,6 +42,9 @@ struct Region {
     /// Its axis turned as the file is. None where it is as glass.
     std::optional<volume::Crystal> crystal;
     Values absorptionExtraordinary; ///< of a crystal's light that is polarised along its axis
+    bool absorbsAlike = false;      ///< that is `absorption`
+    /// Of a crystal by grids: the axis in its files' world, 0 where it is isotropic, and n_e.
+    Values axis, indexExtraordinary;
 
     /// At a term of Cauchy's law [1/µm²]; of sharp boundaries.
     float indexAt(const glm::ivec3& voxel, float term) const;
@@ -49,7 +52,12 @@ struct Region {
     bool indexVaries() const { return index.varies() || dispersion.varies(); }
     bool indexIsEven(size_t brick) const { return index.isEven(brick) && dispersion.isEven(brick); }
     /// Whether what it does to light on its way differs from place to place.
-    bool coefficientsVary() const;
+    bool coefficientsVary() const { return coefficientPages() > 0; }
+    /// How many tables of coefficients it has: one, of a crystal's light along its axis another.
+    int coefficientPages() const;
+    /// Whether it is a crystal whose axis or indices differ from place to place. Then `index` and
+    /// `crystal` hold the n_o and n_e that are furthest apart.
+    bool crystalVaries() const;
 };
 
 /// A grid's values in a region, whichever that is.
@@ -66,9 +74,9 @@ Values readValues(const volume::Volume& volume, const std::string& grid,
 Region readRegion(const volume::Volume& volume, const volume::ObjectFacts& facts,
                   const volume::IndexBox& box, const Object* object, bool own);
 
-/// As the device reads it, lengths in voxels; `page` is where its coefficients that vary begin, −1
-/// if none does; `turn` leads from voxel space to the world.
+/// As the device reads it, lengths in voxels; `page` is where its coefficients that vary begin, if
+/// some do, each page of `texels`; `turn` leads from voxel space to the world.
 struct RegionParams paramsOf(const Region& region, float voxelSize, const glm::dmat3& turn,
-                             float page);
+                             int page, int texels);
 
 } // namespace eikonal::scene

@@ -1,4 +1,4 @@
-eikonal_room(scene SOURCES bias.cpp block_table.cpp boundaries.cpp clearance.cpp crystals.cpp distance_atlas.cpp
+eikonal_room(scene SOURCES bias.cpp block_table.cpp boundaries.cpp clearance.cpp crystal_field.cpp crystals.cpp distance_atlas.cpp
                            effects.cpp field.cpp files.cpp ground.cpp index.cpp objects.cpp object_sets.cpp
                            lights.cpp merge.cpp merge_light.cpp recorded_lights.cpp regions.cpp resample.cpp samples.cpp scene.cpp surface_light.cpp surface_voxels.cpp transport.cpp voxel_layout.cpp
                            voxel_textures.cpp

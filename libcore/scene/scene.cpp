@@ -199,6 +199,11 @@ bool Scene::anyCrystal() const {
                        [](const Region& region) { return region.crystal.has_value(); });
 }
 
+bool Scene::anyVaryingCrystal() const {
+    return std::any_of(regions.begin(), regions.end(),
+                       [](const Region& region) { return region.crystalVaries(); });
+}
+
 bool Scene::anyMatt() const {
     return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
         return sharp ? region.opaque && !region.metal : region.opacity.most(0) > 0.5f;
@@ -226,10 +231,10 @@ bool Scene::showsLight() const {
     return receives || anyHas(&Region::scattering);
 }
 
-int Scene::varyingRegions() const {
-    return static_cast<int>(std::count_if(regions.begin(), regions.end(), [](const Region& region) {
-        return region.coefficientsVary();
-    }));
+int Scene::coefficientPages() const {
+    int pages = 0;
+    for (const Region& region : regions) pages += region.coefficientPages();
+    return pages;
 }
 
 namespace {
@@ -254,7 +259,7 @@ Scene readGrids(const Files& files, const Wanted& wanted) {
     const volume::Volume* objects = files.withObjects();
     scene.sharp = wanted.boundary == optics::Boundary::sharp ||
                   (wanted.boundary == optics::Boundary::automatic && objects != nullptr);
-    refuseCrystalGrids(files);
+    refuseStrayCrystalGrids(files, scene.sharp);
     if (!scene.sharp && objects != nullptr) refuseBlurredCrystals(*objects);
     if (scene.sharp) {
         if (objects == nullptr) files.first().require("sdf");

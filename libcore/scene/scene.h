@@ -78,6 +78,7 @@ struct Scene {
     bool anyMetal() const;   ///< with sharp boundaries
     bool anyRough() const;   ///< the same
     bool anyCrystal() const; ///< the same
+    bool anyVaryingCrystal() const;
     /// A matt object whose index is above that of something transparent: it has a coat there. Null
     /// if there is none.
     const Region* firstCoated() const;
@@ -85,8 +86,8 @@ struct Scene {
     bool isClearAround() const;
     /// Whether light is seen anywhere: where it is scattered, or falls on what is opaque.
     bool showsLight() const;
-    /// How many regions have coefficients that vary, of sharp boundaries.
-    int varyingRegions() const;
+    /// How many tables of coefficients that vary its regions have, of sharp boundaries.
+    int coefficientPages() const;
 };
 
 /// What an engine wants of the files. Grids it does not want are not read.

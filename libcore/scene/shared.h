@@ -19,7 +19,7 @@ using glm::vec4;
 #include "shared/transport_params.h"
 
 static_assert(sizeof(FieldParams) == 64);
-static_assert(sizeof(SceneParams) == 96 + 65 * 160 + 64 * 32);
+static_assert(sizeof(SceneParams) == 112 + 65 * 160 + 64 * 32);
 static_assert(sizeof(SpectrumParams) == 1024);
 static_assert(sizeof(SurfaceParams) == 32);
 static_assert(sizeof(TransportParams) == 64);

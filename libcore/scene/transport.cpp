@@ -20,7 +20,9 @@ double tauOf(const Scene& scene, double step) {
 
 } // namespace
 
-gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing) {
+gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing,
+                                bool polarised) {
+    const int crystals = scene.anyVaryingCrystal() ? 2 : scene.anyCrystal() || polarised ? 1 : 0;
     const bool bends = scene.index.varies();
     return {{"INTEGRATOR", tracing.integratorSwitch(bends)},
             {"FIELD", fieldSwitch(bends, tracing.sampling())},
@@ -30,12 +32,12 @@ gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& traci
             {"OBJECTS", static_cast<int>(scene.objects.size())},
             {"NEAR", scene.sharp && areMany(scene.objects) ? mostNear(scene.objects) : 0},
             {"PACKED", scene.sharp && isPacked(scene.objects)},
-            {"VARIES", scene.sharp && scene.varyingRegions() > 0},
+            {"VARIES", scene.sharp && scene.coefficientPages() > 0},
             {"OPAQUE", scene.anyOpaque()},
             {"METALS", scene.anyMetal()},
             {"ROUGH", scene.anyRough()},
             {"COATS", scene.firstCoated() != nullptr},
-            {"CRYSTALS", scene.anyCrystal()}};
+            {"CRYSTALS", crystals}};
 }
 
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing) {

@@ -19,8 +19,9 @@ struct StepLengths {
 };
 
 /// The switches INTEGRATOR, FIELD, FAINT, DISPERSION, PAGED, OBJECTS, NEAR, PACKED, VARIES, OPAQUE
-/// of every kernel that traces.
-gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing);
+/// and so on of every kernel that traces. `polarised`: light is, whether or not there are crystals.
+gpu::Switches transportSwitches(const Scene& scene, const optics::Tracing& tracing,
+                                bool polarised = false);
 
 /// What a scene takes on the device.
 std::vector<gpu::Need> transportNeeds(const Scene& scene, const optics::Tracing& tracing);

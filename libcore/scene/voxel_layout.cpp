@@ -40,7 +40,7 @@ std::vector<Looked> gridsOf(const Scene& scene) {
     for (const Region& region : scene.regions)
         for (const RegionValues values :
              {&Region::absorption, &Region::scattering, &Region::anisotropy, &Region::emission,
-              &Region::albedo, &Region::opacity})
+              &Region::albedo, &Region::opacity, &Region::absorptionExtraordinary})
             add(region.*values);
     add(scene.light.fluence);
     add(scene.light.direction);

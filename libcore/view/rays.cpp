@@ -43,10 +43,7 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     // not.
     const bool sharp = plan.scene.sharp;
     const bool glows = plan.scatters || (plan.emits && !sharp);
-    gpu::Switches list = scene::transportSwitches(plan.scene, params);
-    if (params.polarises())
-        for (auto& [name, value] : list)
-            if (name == "CRYSTALS") value = 1;
+    gpu::Switches list = scene::transportSwitches(plan.scene, params, params.polarises());
     list.emplace_back("CHANNELS", plan.colour ? 3 : plan.dims ? 1 : 0);
     list.emplace_back("SOURCE", plan.anisotropic ? 2 : glows ? 1 : 0);
     list.emplace_back("EMISSION", plan.emits && (sharp || plan.anisotropic));

@@ -18,7 +18,7 @@ constexpr float kMost = std::numeric_limits<float>::max();
 constexpr GridType kScalar = GridType::scalar;
 constexpr GridType kVector = GridType::vector;
 
-constexpr std::array<GridRule, 13> kRules{{
+constexpr std::array<GridRule, 16> kRules{{
     {"ior", kScalar, 0, kMost, true, false, "> 0"},
     {"dispersion", kScalar, -kMost, kMost, false, false, "a finite number"},
     {"absorption", kVector, 0, kMost, false, false, ">= 0"},
@@ -28,6 +28,10 @@ constexpr std::array<GridRule, 13> kRules{{
     {"opacity", kScalar, 0, 1, false, false, "0 to 1"},
     {"albedo", kVector, 0, 1, false, false, "0 to 1"},
     {"reflectance", kVector, 0, kMost, false, false, ">= 0"},
+    {"axis", kVector, -kMost, kMost, false, false,
+     "a finite number"}, // scene::settleCrystals() sees to more
+    {"ior_extraordinary", kScalar, 1, kMost, false, false, "1 or more"},
+    {"absorption_extraordinary", kVector, 0, kMost, false, false, ">= 0"},
     {"sdf", kScalar, -kMost, kMost, false, false, "a finite number"},
     {"fluence", kVector, -kMost, kMost, false, false, "a finite number"},
     {"irradiance", kVector, -kMost, kMost, false, false, "a finite number"},

@@ -233,6 +233,12 @@ float indexDifference(Uniaxial medium, float c) {
     return across * (medium.o - medium.e) * (medium.o + medium.e) / (medium.o + e);
 }
 
+// E of light along a direction behind a polariser that lets what lies in the plane of `along` and the ray through.
+vec3 polarisedAcross(vec3 along, vec3 direction) {
+    vec3 across = along - dot(along, direction) * direction;
+    return across / max(sqrt(dot(across, across)), 1.0e-6);
+}
+
 // (xx, yy, Re xy) of light that is partly polarised along a vector, as long as the square root of the degree; 0 is
 // unpolarised.
 vec3 stateOf(vec2 polarisation) {

@@ -3,7 +3,7 @@
 //
 // 0 goes on, 1 back; in scenes with crystals two bits each, 2 and 3 the e-waves.
 
-const int kBranchBits = CRYSTALS == 1 ? 2 : 1;
+const int kBranchBits = CRYSTALS > 0 ? 2 : 1;
 
 // The branch taken at an interface by its number.
 uint branchAt(uint kind, int number) {

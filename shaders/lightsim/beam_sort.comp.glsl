@@ -11,9 +11,9 @@
 #include "transport/status.glsl"
 
 #if !defined(CHANNELS) || !defined(CULLS) || !defined(CRYSTALS)
-#error CHANNELS must be 1 or 3, CULLS and CRYSTALS 0 or 1
+#error CHANNELS must be 1 or 3, CULLS 0 or 1, CRYSTALS 0 to 2
 #endif
-const bool kCrystals = CRYSTALS == 1; // an interface has four branches
+const bool kCrystals = CRYSTALS > 0; // an interface has four branches
 const bool kCulls = CULLS == 1; // some surfaces receive nothing
 
 #include "lightsim/beam_kind.glsl"

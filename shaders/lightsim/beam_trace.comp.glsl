@@ -115,7 +115,9 @@ void onSurface(inout Path path, inout Load load, Interface at) {
 }
 
 uint branchOf(Interface at, Outgoing ray) {
-    vec3 direction = directionIn(regionOf(ray.objects), ray.mode, ray.w, 1.0);
+    vec3 direction = ray.w;
+    int region = regionOf(ray.objects);
+    if (isCrystal(region)) direction = rayDirection(uniaxialOf(region, at.x), ray.mode, ray.w);
     return (dot(direction, at.normal) < 0.0 ? 1u : 0u) | (ray.mode == kExtraordinary ? 2u : 0u);
 }
 
@@ -234,6 +236,7 @@ Path pathFromLight(ivec2 map) {
         path.status = kNone;
         return path;
     }
+    if (kCrystals) path.polarisation = polarisedAcross(params.polarizer.xyz, direction);
     path.objects = objectsAt(path.ray.x, direction, within);
     path.ray.w *= indexOf(regionOf(path.objects), path.ray.x);
     return path;

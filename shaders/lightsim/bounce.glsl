@@ -40,7 +40,7 @@ void bounce(inout Path path, inout Load load) {
     int region = regionOf(path.objects);
     if (isCrystal(region)) { // what is in contact with one: one of its waves, by chance
         path.mode = (pcgHash(load.id + uint(load.bounces)) & 1u) == 0u ? kOrdinary : kExtraordinary;
-        path.ray.w = waveVector(uniaxialOf(region), path.mode, direction);
+        path.ray.w = waveVector(uniaxialOf(region, path.ray.x), path.mode, direction);
     }
     path.departs = dot(direction, load.outward);
     if (kOpaqueVoxels) path.ray.x = freeOfVoxels(path.ray.x, load.outward, direction);

@@ -17,6 +17,9 @@ layout(std140, binding = kParamsBlock) uniform Params { EmissionParams params; }
 layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; };
 layout(std430, binding = kPhotonsBuffer) writeonly buffer Photons { Photon photons[]; };
 layout(std430, binding = kObjectsBuffer) writeonly buffer InObjects { ObjectSet inObjects[]; }; // of many
+#if CRYSTALS > 0
+layout(std430, binding = kPolarisationsBuffer) writeonly buffer Polarisations { vec4 polarisations[]; };
+#endif
 layout(std430, binding = kListBuffer) writeonly buffer List { uint list[]; };
 layout(binding = kPhotonMapUnit) uniform sampler2D photonMap;
 #include "lightsim/spread.glsl"
@@ -122,5 +125,8 @@ void main() {
     photon.count = uvec4(kAlive, 0u, 0u, firstBits(objects));
     if (kMany) inObjects[id] = objects;
     photons[id] = photon;
+#if CRYSTALS > 0
+    polarisations[id] = vec4(polarisedAcross(params.polarizer.xyz, direction), float(kUnsplit));
+#endif
     list[atomicAdd(nextCount, 1u)] = id;
 }

@@ -25,7 +25,7 @@ layout(std140, binding = kParamsBlock) uniform Params { PhotonParams params; };
 layout(std430, binding = kCountBuffer) buffer Count { uint nextCount; uint overflowed; };
 layout(std430, binding = kPhotonsBuffer) buffer Photons { Photon photons[]; };
 layout(std430, binding = kObjectsBuffer) buffer InObjects { ObjectSet inObjects[]; }; // of many
-#if CRYSTALS == 1
+#if CRYSTALS > 0
 layout(std430, binding = kPolarisationsBuffer) buffer Polarisations { vec4 polarisations[]; }; // w: the mode
 #endif
 layout(std430, binding = kListBuffer) readonly buffer List { uint list[]; };
@@ -181,11 +181,9 @@ Path pathOf(Photon photon, uint id) {
         path.depth = int(photon.count.w >> 16u);
         path.departs = photon.place.w;
     }
-#if CRYSTALS == 1
-    if (steps > 0u) { // what starts is unpolarised
-        path.mode = int(polarisations[id].w);
-        path.polarisation = polarisations[id].xyz;
-    }
+#if CRYSTALS > 0
+    path.mode = int(polarisations[id].w);
+    path.polarisation = polarisations[id].xyz;
 #endif
     path.steps = int(steps);
     path.error = photon.wave.w;
@@ -210,7 +208,7 @@ void keep(Path path, Load load) {
                          firstBits(path.objects) | uint(path.depth) << 16u);
     photons[load.id] = photon;
     if (kMany) inObjects[load.id] = path.objects;
-#if CRYSTALS == 1
+#if CRYSTALS > 0
     polarisations[load.id] = vec4(path.polarisation, float(path.mode));
 #endif
     if (path.status == kAlive) nextList[atomicAdd(nextCount, 1u)] = load.id;

@@ -69,8 +69,9 @@ struct BeamParams {
     vec4 map;     // x: area of a cell, where the domain is [voxel²]; yzw: the
                   // light's RGB over their sum, the weights of its direction
     vec4 batch;   // xy: share of the map at the batch's low corner, zw: and of one finest cell
-    vec4 axis;    // axis and cone as EmissionParams's
+    vec4 axis;    // axis, cone and polarizer as EmissionParams's
     vec4 cone;
+    vec4 polarizer;
 };
 
 const uint kNewPoints = 16u; // that four cells need in place of one, beside its own

@@ -16,6 +16,8 @@ const int kPlateBlock = 9;     // PlateParams
 // Textures of the transport core.
 const int kFieldUnit = 8;        // (½∇(n²) [1/voxel], n), or spline coefficients
 const int kDispersedFieldUnit = 22; // the same at kDispersedTerm of field_params.h
+const int kCrystalsUnit = 24;    // coefficients of crystals that vary: D_xx, D_yy, D_zz, n_o
+const int kMixedCrystalsUnit = 25; // D_yz, D_zx, D_xy
 const int kDistancesUnit = 9;    // spline coefficients of signed distances, by blocks of cells [voxel]
 const int kClearanceUnit = 10;   // how far off any interface is at least [voxel]
 const int kNearbyUnit = 11;      // the objects that hold a cube of voxels or are near it: bits, or which sets

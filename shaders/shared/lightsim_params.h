@@ -17,6 +17,7 @@ struct EmissionParams {
     vec4 axis;    // xyz: about which the source shines (Source::Spread in libcore/lightsim/sources.h),
                   // w: 0 all round, 1 by the cosine about it, 2 in a cone about it
     vec4 cone;    // x, y: the angles between which that fades [rad]; zw: where in its pixel a ray goes
+    vec4 polarizer; // xyz: E of what starts lies in the plane of this and the ray; 0: it is unpolarised
 };
 
 struct PhotonParams {

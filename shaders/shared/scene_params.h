@@ -1,13 +1,17 @@
 // What bounds objects, and what they are made of. Read by C++ and GLSL; vec4-sized members only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+const float kAsOrdinary = -2.0;
+
 // What an object is made of, or what surrounds them all.
 struct RegionParams {
     vec4 index;      // x: n; y: 1 if it varies; z: 1 if opaque; w: Cauchy's B [µm²]
     vec4 absorption; // rgb [1/voxel]; w: where coefficients vary, their page's first texel; else −1
     vec4 scattering;  // rgb [1/voxel]; w: g
-    vec4 emission;    // rgb [radiance/voxel]
-    vec4 albedo;      // rgb
+    vec4 emission;    // rgb [radiance/voxel]; w: where a crystal's absorption of light polarised along its axis
+                      // varies, its page's first texel; else −1; kAsOrdinary: it is `absorption`
+    vec4 albedo;      // rgb; w: of a crystal 1 if it varies, 2 if its n_o does, too: then `index` and `axis` have
+                      // the n_o and n_e that are furthest apart
     vec4 reflectance; // rgb: tint of what its boundary mirrors; w: GGX's α of it
     vec4 metalIndex;      // rgb; w: 1 if it is metal
     vec4 metalExtinction; // rgb
@@ -29,6 +33,7 @@ struct SceneParams {
     vec4 page;      // xyz: 1 / texels of coefficients that vary
     vec4 low;       // xyz: low corner of the box that all boundaries are in [voxel]
     vec4 high;      // xyz: its high corner
+    vec4 crystals; // xyz: the voxel where coefficients of crystals that vary begin, of a domain's first
     RegionParams regions[kMostObjects + 1]; // of each object, then of what surrounds them
     BlockBox boxes[kMostObjects];           // of each object
 };

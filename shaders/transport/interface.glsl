@@ -58,12 +58,21 @@ Interface interfaceAt(Path path, Hit hit) {
     vec3 x = path.ray.x;
     vec3 along = path.ray.w;
     int here = regionOf(path.objects);
-    if (isCrystal(here)) along = directionIn(here, path.mode, along, 1.0);
+    if (isCrystal(here)) along = rayDirection(uniaxialOf(here, x), path.mode, along);
     if (dot(along, normal) < 0.0) normal = -normal;
     ObjectSet after = objectsBeyond(path.objects, hit.object, x, along, normal);
     int there = regionOf(after);
-    return Interface(x, normal, hit.object, here, there, indexOf(here, x), indexOf(there, x), path.mode,
-                     path.polarisation, after, vec2(0.5), 0u);
+    Interface at = Interface(x, normal, hit.object, here, there, indexOf(here, x), indexOf(there, x), path.mode,
+                             path.polarisation, after, vec2(0.5), 0u);
+#if CRYSTALS == 2
+    int bends = bendsOrdinary(there) ? there : here; // no two that vary meet
+    if (bendsOrdinary(bends)) {
+        float o = varyingCrystalAt(bends, x, vec3(0.0)).o;
+        if (bends == here) at.n = o;
+        if (bends == there) at.beyond = o;
+    }
+#endif
+    return at;
 }
 
 // Whether a matt object has a coat there.
@@ -144,7 +153,7 @@ int scatterMetal(Interface at, vec3 w, ObjectSet objects, float alpha, out Outgo
 // The rays into which one that arrives within `objects` parts: what is refracted first, if anything is.
 // Returns how many.
 int scatterAt(Interface at, vec3 arriving, ObjectSet objects, out Outgoing outgoing[kMostOutgoing]) {
-#if CRYSTALS == 1
+#if CRYSTALS > 0
     return scatterPolarised(at, arriving, objects, outgoing);
 #endif
     vec3 w = arriving * (at.n / length(arriving));

@@ -11,6 +11,8 @@ const float kBent = 3.0e-3;     // if the gradient turns by no more than that on
 const float kEnclosed = 2.0e-5; // a zero between points this close is at either [voxel]
 const int kMostLooks = 8192;    // more than along a plate of the longest domain
 
+const bool kCurves = kField > 0 || kVaryingCrystals;
+
 // A segment of a path, x at s in [0, extent]: start + f (first + f (second + f third)), f = s / extent.
 struct Segment {
     vec3 start;
@@ -33,13 +35,13 @@ Segment curvedSegment(Ray a, Ray b, float tau) {
 
 vec3 pointOn(Segment segment, float s) {
     float f = s / segment.extent;
-    if (kField == 0) return segment.start + f * segment.first;
+    if (!kCurves) return segment.start + f * segment.first;
     return segment.start + f * (segment.first + f * (segment.second + f * segment.third));
 }
 
 vec3 directionOn(Segment segment, float s) { // dx/ds, of length 1 or nearly
     float f = s / segment.extent;
-    if (kField == 0) return segment.first / segment.extent;
+    if (!kCurves) return segment.first / segment.extent;
     return (segment.first + f * (2.0 * segment.second + (3.0 * f) * segment.third)) / segment.extent;
 }
 

@@ -15,14 +15,15 @@
 
 #if !defined(VARIES) || !defined(OPAQUE) || !defined(METALS) || !defined(ROUGH) || !defined(COATS) || \
     !defined(CRYSTALS)
-#error VARIES, OPAQUE, METALS, ROUGH, COATS and CRYSTALS must be 0 or 1
+#error VARIES, OPAQUE, METALS, ROUGH, COATS must be 0 or 1, CRYSTALS 0 to 2
 #endif
 const bool kVaries = VARIES == 1; // some object's coefficients vary within it
 const bool kOpaqueObjects = OPAQUE == 1 && kObjects > 0; // some object is opaque
 const bool kMetals = METALS == 1; // some object is metal
 const bool kRoughBoundaries = ROUGH == 1;   // some object's boundary is rough
 const bool kCoats = COATS == 1;   // some matt object's index is above that of what surrounds it
-const bool kCrystals = CRYSTALS == 1; // some object is a uniaxial crystal
+const bool kCrystals = CRYSTALS > 0; // some object is a uniaxial crystal
+const bool kVaryingCrystals = CRYSTALS == 2; // some crystal varies within
 const bool kOpaqueVoxels = OPAQUE == 1 && kObjects == 0; // blurred: opaque material ends paths
 // A page of voxels along z for each region that varies.
 layout(binding = kAbsorptionsUnit) uniform sampler3D absorptions; // [1/voxel], g
@@ -94,39 +95,54 @@ bool indexVariesIn(int region) {
     return kField > 0 && (kObjects == 0 || scene.regions[region].index.y == 1.0);
 }
 
-// The index of a region at x.
+bool isCrystal(int region) {
+    return kCrystals && kObjects > 0 && scene.regions[region].axis.w > 0.0;
+}
+
+#include "transport/varying_crystal.glsl"
+
+// The index of a region at x; of a crystal n_o, if that varies one of it.
 float indexOf(int region, vec3 x) {
     if (kObjects == 0 || indexVariesIn(region)) return indexAt(x);
     return dispersed(scene.regions[region].index.x, scene.regions[region].index.w);
 }
 
-bool isCrystal(int region) {
-    return kCrystals && kObjects > 0 && scene.regions[region].axis.w > 0.0;
-}
-
-Uniaxial uniaxialOf(int region) {
+// A crystal that does not vary.
+Uniaxial evenUniaxialOf(int region) {
     vec4 axis = scene.regions[region].axis;
     return Uniaxial(dispersed(scene.regions[region].index.x, scene.regions[region].index.w),
                     dispersed(axis.w, scene.regions[region].extraordinary.w), axis.xyz);
+}
+
+// A crystal at x. What is isotropic there has no axis.
+Uniaxial uniaxialOf(int region, vec3 x) {
+#if CRYSTALS == 2
+    if (crystalVaries(region)) return varyingUniaxialAt(region, x);
+#endif
+    return evenUniaxialOf(region);
 }
 
 // Whether both waves of a crystal go as one, along the o-wave's way: they part by less than 0.01 rad.
 bool goesTogether(int region) {
     const float kWeak = 0.01;
     RegionParams here = scene.regions[region];
-    return transport.tolerance.z > 0.0 && abs(here.axis.w - here.index.x) <= kWeak &&
-           here.extraordinary.xyz == here.absorption.xyz;
+    bool alike = here.emission.w == kAsOrdinary || (here.emission.w < 0.0 && here.absorption.w < 0.0 &&
+                                                    here.extraordinary.xyz == here.absorption.xyz);
+    return transport.tolerance.z > 0.0 && abs(here.axis.w - here.index.x) <= kWeak && alike;
 }
 
 // The phase that the o-wave gains on the e-wave along a straight way.
 float phaseAlong(int region, vec3 direction, float extent) {
     float c = dot(direction, scene.regions[region].axis.xyz);
-    return transport.tolerance.z * extent * indexDifference(uniaxialOf(region), c) / wavelength();
+    return transport.tolerance.z * extent * indexDifference(evenUniaxialOf(region), c) / wavelength();
 }
 
-// Where light of wave vector w goes in a region of index n, of length 1.
+// Where light of wave vector w goes in a region of index n, of length 1; of a crystal that varies but its e-rays.
 vec3 directionIn(int region, int mode, vec3 w, float n) {
-    if (isCrystal(region)) return rayDirection(uniaxialOf(region), mode, w);
+#if CRYSTALS == 2
+    if (crystalVaries(region)) return w / length(w);
+#endif
+    if (isCrystal(region)) return rayDirection(evenUniaxialOf(region), mode, w);
     return w / n; // devices' roots are not as exact
 }
 
@@ -148,12 +164,24 @@ Coefficients coefficientsAt(int region, vec3 x) {
     return found;
 }
 
+// σ of light polarised along a crystal's axis, where that across it is `across` [1/voxel].
+vec3 absorptionAlongAxis(int region, vec3 x, vec3 across) {
+    RegionParams here = scene.regions[region];
+    if (here.emission.w == kAsOrdinary) return across;
+    if (kVaries && here.emission.w >= 0.0) {
+        vec3 at = (texelAt(x) + vec3(0.0, 0.0, here.emission.w)) * scene.page.xyz;
+        return max(textureLod(absorptions, at, 0.0).xyz, vec3(0.0));
+    }
+    return here.extraordinary.xyz;
+}
+
 // The same of light of a mode along a direction.
 Coefficients coefficientsFor(int mode, int region, vec3 x, vec3 direction) {
     Coefficients found = coefficientsAt(region, x);
-    if (isCrystal(region) && mode == kExtraordinary)
-        found.absorption =
-            extraordinaryLoss(uniaxialOf(region), dot(direction, scene.regions[region].axis.xyz),
-                              found.absorption, scene.regions[region].extraordinary.xyz);
+    if (isCrystal(region) && mode == kExtraordinary) {
+        Uniaxial crystal = uniaxialOf(region, x);
+        found.absorption = extraordinaryLoss(crystal, dot(direction, crystal.axis), found.absorption,
+                                             absorptionAlongAxis(region, x, found.absorption));
+    }
     return found;
 }

@@ -77,11 +77,9 @@ Hit propagateStraight(inout Path path, inout Load load, int region) {
         hit.object = -1;
     }
     path.departs = 0.0;
-    if (isCrystal(region) && path.mode == kTogether) {
-        float phase = phaseAlong(region, direction, length(path.ray.x - start));
-        vec2 turn = vec2(cos(phase), sin(phase));
-        path.polarisation.yz = complexProduct(path.polarisation.yz, turn);
-    }
+#if CRYSTALS > 0
+    if (isCrystal(region) && path.mode == kTogether) turnTogether(path, region, start, direction);
+#endif
     if (kMeasures) {
         double extent = length(dvec3(path.ray.x) - dvec3(start));
         double index = double(n);
@@ -296,6 +294,8 @@ Hit propagateBent(inout Path path, inout Load load, int region) {
     return hit;
 }
 
+#include "transport/varying_rays.glsl"
+
 // Through or back at an interface. What goes through a coat is on its base, still among the objects before it.
 void scatterAndLand(inout Path path, inout Load load, Interface at, bool coated) {
     ObjectSet before = path.objects;
@@ -330,6 +330,10 @@ bool advance(inout Path path, inout Load load) {
     if (path.status == kAlive) {
         int region = regionOf(path.objects);
         Hit hit = noHit(0.0);
+#if CRYSTALS == 2
+        if (bendsIn(region, path.mode)) hit = propagateVarying(path, load, region);
+        else
+#endif
         if (indexVariesIn(region)) hit = propagateBent(path, load, region);
         else hit = propagateStraight(path, load, region);
         if (kObjects > 0 && hit.object >= 0) cross(path, load, hit);

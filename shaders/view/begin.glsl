@@ -12,7 +12,7 @@ Load loadFrom(CameraRay camera, Path path) {
 Path pathFromCamera(CameraRay camera) {
     Path path = pathFrom(camera.start, camera.direction, params.limits.x);
     if (kCrystals && params.polarizer.w == 1.0) {
-        path.polarisation = acrossRay(params.polarizer.xyz, camera.direction);
+        path.polarisation = polarisedAcross(params.polarizer.xyz, camera.direction);
         path.throughput = vec3(0.5);
     }
     return path;

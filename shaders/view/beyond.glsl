@@ -27,16 +27,10 @@ bool goesOn(Path path, Load load, vec3 direction) {
 #endif
 }
 
-// E of light along a direction behind a polariser that lets `along` through, of length 1.
-vec3 acrossRay(vec3 along, vec3 direction) {
-    vec3 across = along - dot(along, direction) * direction;
-    return across / max(length(across), 1.0e-6);
-}
-
 // The share of unpolarised light from around the scene that its polariser leaves, as the path takes it.
 float polarisedShare(Path path, vec3 direction) {
     if (params.backPolarizer.w == 0.0) return 1.0;
-    float along = dot(path.polarisation, acrossRay(params.backPolarizer.xyz, direction));
+    float along = dot(path.polarisation, polarisedAcross(params.backPolarizer.xyz, direction));
     return 0.5 * (1.0 - dot(path.polarisation, path.polarisation)) + along * along;
 }
 

@@ -17,7 +17,7 @@ void follow(inout Path path, Branch branch) {
     path.objects = branch.objects;
     path.depth = branch.depth;
     path.departs = branch.departs;
-#if CRYSTALS == 1
+#if CRYSTALS > 0
     path.mode = branch.mode;
     path.polarisation = branch.polarisation;
 #endif
@@ -26,7 +26,7 @@ void follow(inout Path path, Branch branch) {
 Branch branchOf(Path path, vec3 x, Outgoing ray) {
     return Branch(Ray(x, ray.w), path.throughput * ray.share * ray.tint, ray.objects, path.depth + 1,
                   ray.departs
-#if CRYSTALS == 1
+#if CRYSTALS > 0
                   , ray.mode, ray.polarisation
 #endif
     );

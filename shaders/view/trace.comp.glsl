@@ -86,7 +86,7 @@ struct Branch {
     ObjectSet objects;
     int depth;
     float departs;
-#if CRYSTALS == 1
+#if CRYSTALS > 0
     int mode;
     vec3 polarisation;
 #endif

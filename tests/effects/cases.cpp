@@ -85,6 +85,15 @@ public:
         }
         return *this;
     }
+    /// The only solid is a crystal, by metadata.
+    SceneVolume& crystal(const volume::Crystal& crystal) {
+        const volume::IndexBox box{glm::ivec3(0), glm::ivec3(mVoxels - 1)};
+        for (volume::ObjectFacts facts : mVolume.objects()) {
+            facts.crystal = crystal;
+            mVolume.putLevelSet(facts, box, mVolume.dense(facts.sdf, box), 4);
+        }
+        return *this;
+    }
     /// Light on surfaces, stored all over a corner.
     SceneVolume& shine() {
         volume::FineGrid light;
@@ -212,6 +221,16 @@ void opaqueOther(SceneVolume& scene) {
 
 void roughen(SceneVolume& scene) {
     scene.boundary("", 0.2f);
+}
+
+void crystallise(SceneVolume& scene) {
+    scene.crystal({1.6f, 0, {0.6f, 0.8f, 0}, {0, 0, 0}});
+}
+
+/// The axis turns about the view's.
+void crystalliseTurning(SceneVolume& scene) {
+    scene.add("axis", 3, [](dvec3 p) { return dvec3(std::cos(p.z), std::sin(p.z), 0); });
+    scene.constant("ior_extraordinary", 1, dvec3(1.6));
 }
 
 void metalOther(SceneVolume& scene) {
@@ -387,6 +406,8 @@ std::vector<Case> sharpViewCases(const Scale& scale) {
     add("emission", {}, fill("emission", 3, kGrey));
     add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
     add("rough", {}, roughen);
+    add("a crystal", {}, crystallise);
+    add("a crystal that varies", {"crystals that vary"}, crystalliseTurning);
     cases.push_back(viewCase("a second object, metal", {"several objects"},
                              glassBeside(scale, metalOther), params));
     cases.push_back(viewCase("environment map", {"environment map"}, glassOf(scale, {}), params,
@@ -464,6 +485,8 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
     add("absorption that varies", {"colour", "absorption that varies"}, varyAbsorption);
     add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
     add("rough", {}, roughen);
+    add("a crystal", {"crystals"}, crystallise);
+    add("a crystal that varies", {"crystals", "crystals that vary"}, crystalliseTurning);
     cases.push_back(
         photonCase("direction", {"direction"}, glassOf(scale, {}), withDirection(params)));
     cases.push_back(

@@ -3,7 +3,7 @@
 add_library(judge STATIC judge/media.cpp judge/texels.cpp judge/caustic.cpp judge/water.cpp
                          judge/floor_view.cpp judge/trace.cpp judge/closed.cpp judge/snell.cpp
                          judge/photons.cpp judge/glass.cpp judge/glass_photons.cpp
-                         judge/revolved.cpp judge/crystal.cpp)
+                         judge/revolved.cpp judge/crystal.cpp judge/varying_crystal.cpp)
 target_include_directories(judge PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_include_directories(judge SYSTEM PUBLIC ${GLM_INCLUDE})
 target_link_libraries(judge PUBLIC Threads::Threads)

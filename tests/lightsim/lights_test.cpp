@@ -113,11 +113,23 @@ TEST(Lights, AreReadFromTheirSpecs) {
     EXPECT_EQ(parseLight("sphere:1,2,3:0.5").radius, 0.5);
     EXPECT_EQ(parseLight("sky=environment:maps/sky.exr:left").file, "maps/sky.exr:left");
     EXPECT_EQ(parseLight("sky=environment:maps/sky.exr:left").name, "sky");
+    // A polariser leaves half.
+    const Light polarised = parseLight("key=spot:1,2,3:0,0,-4:30:4:polarizer=3,0,0");
+    EXPECT_EQ(polarised.polarizer, dvec3(1, 0, 0));
+    EXPECT_EQ(polarised.soft, 4);
+    EXPECT_EQ(polarised.rgb, dvec3(0.5));
+    EXPECT_EQ(parseLight("directional:0,-2,0:2:polarizer=0,0,-2").rgb, dvec3(1));
+    EXPECT_EQ(parseLight("directional:0,-2,0").polarizer, dvec3(0));
 }
 
 TEST(Lights, BadSpecsAreRefused) {
     for (const char* spec : {"",
                              "sun:0,-1,0",
+                             "directional:0,-1,0:polarizer=0,0,0",
+                             "directional:0,-1,0:polarizer=30",
+                             "directional:0,-1,0:polarizer=1,0,0:1",
+                             "point:polarizer=1,0,0",
+                             "environment:sky.exr:polarizer=1,0,0",
                              "directional",
                              "directional:",
                              "directional:0,0,0",

@@ -22,8 +22,9 @@ inline volume::Crystal crystalOf(double index, const glm::dvec3& axis, double ab
 }
 
 inline volume::Volume crystalVolume(const glm::ivec3& size, const std::vector<CrystalPart>& parts,
-                                    double voxelSize = 1) {
-    TestVolume scene(size, voxelSize);
+                                    double voxelSize = 1,
+                                    const glm::dmat4& placed = glm::dmat4(1)) {
+    TestVolume scene(size, voxelSize, placed);
     scene.constant("ior", 1);
     volume::Volume volume = scene.take();
     int order = 0;
@@ -49,6 +50,21 @@ inline volume::Volume crystalVolume(const glm::ivec3& size, const std::vector<Cr
         own("albedo", part.albedo);
     }
     return volume;
+}
+
+/// Adds a grid of values at voxels' middles [unit], one of the contract that has so many
+/// components.
+inline void putField(volume::Volume& volume, const std::string& grid, const glm::ivec3& size,
+                     int components, const std::function<glm::dvec3(glm::dvec3)>& value) {
+    volume::DenseGrid dense{size, components, {}};
+    forEachVoxel(size, [&](glm::ivec3 p) {
+        const glm::dvec3 v = value(glm::dvec3(p) + 0.5);
+        for (int c = 0; c < components; ++c) dense.values.push_back(static_cast<float>(v[c]));
+    });
+    volume::PutOptions options;
+    options.background = glm::vec3(1);
+    options.allActive = true;
+    volume.put(grid, {glm::ivec3(0), size - 1}, dense, options);
 }
 
 inline double boxDistance(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {

@@ -52,11 +52,16 @@ namespace { // the library knows no `inline`
 #include "lib/plane_light.glsl"
 #include "lib/ray.glsl"
 #include "lib/spline.glsl"
+#include "lib/varying_crystal.glsl"
 
 // Steps that look the field up ask the test for it.
 thread_local std::function<vec4(vec3)> theField;
 vec4 fieldAt(vec3 x) {
     return theField(x);
+}
+thread_local std::function<VaryingCrystal(vec3, vec3)> theCrystal;
+VaryingCrystal varyingCrystalAt(int, vec3 x, vec3 k) {
+    return theCrystal(x, k);
 }
 } // namespace
 #pragma GCC diagnostic pop

@@ -45,7 +45,9 @@ inline void add(tool::Session& session, Options& o) {
            "rect:CX,CY,CZ:UX,UY,UZ:VX,VY,VZ[:R,G,B], centre and two whole edges, radiance "
            "[W/(m² sr)] to the side of U x V; "
            "sphere:X,Y,Z:RADIUS[:R,G,B], radiance; "
-           "environment:FILE[:LAYER], a lat-long map of radiance all round")
+           "environment:FILE[:LAYER], a lat-long map of radiance all round. Behind any but the "
+           "last :polarizer=X,Y,Z puts a polariser before it, which lets half through, with E in "
+           "the plane of X,Y,Z and the ray")
         ->type_name("SPEC")
         ->allow_extra_args(false);
     app.add_option("--lights", o.lightFiles,
