@@ -6,6 +6,8 @@ BUILD   ?= build
 BIN     ?= $(BUILD)/bin
 OUT     ?= out
 SAMPLES ?= 9
+STRESS_SIZE    ?= 240x240
+STRESS_SAMPLES ?= 2
 DIR     := $(OUT)/crystals
 PRISM   := awk -f pipelines/crystals/prism.awk
 .DELETE_ON_ERROR:
@@ -64,8 +66,7 @@ $(DIR)/wedge.exr: $(DIR)/wedge.vdb
 	  --polarizer 0 --back-polarizer 90 --wavelengths 8 --samples 4
 
 # ---- a disc of epoxy, 40 mm across and 4 mm thick, that two forces compress until the middle is of the order 2.5 in
-# yellow, with the polarisers along the
-# forces and at 45° to them
+# yellow, with the polarisers along the forces and at 45° to them
 $(DIR)/disc.obj: | $(DIR)
 	printf '2 0\n2 0.4\n' | $(BIN)/meshgen revolve - -o $@
 $(DIR)/disc.vdb: $(DIR)/disc.obj
@@ -74,7 +75,8 @@ $(BUILD)/tests/stressed_disc: FORCE
 	@cmake --build $(BUILD) --target stressed_disc >/dev/null
 $(DIR)/stressed.vdb: $(DIR)/disc.vdb | $(BUILD)/tests/stressed_disc
 	$(BUILD)/tests/stressed_disc $< $@ 2 3.68e-4
-ABOVE := --eye 0,9,0 --target 0,0,0 --up 0,0,1 --ortho 4.2 --size 240x240 --background 1 --unit 1e-2 --samples 2
+ABOVE := --eye 0,9,0 --target 0,0,0 --up 0,0,1 --ortho 4.2 --size $(STRESS_SIZE) --background 1 --unit 1e-2 \
+         --samples $(STRESS_SAMPLES)
 $(DIR)/stress_0.exr: $(DIR)/stressed.vdb
 	$(BIN)/render $< -o $@ $(ABOVE) --polarizer 0 --back-polarizer 90 --wavelengths 16
 $(DIR)/stress_45.exr: $(DIR)/stressed.vdb

@@ -7,8 +7,10 @@ include pipelines/gallery/common.mk
 picture: $(OUT)/crystals.png
 .PHONY: picture
 $(OUT)/crystals.png:
-	$(MAKE) -f pipelines/crystals.mk BIN=$(BIN) OUT=$(MADE) SAMPLES=$(SAMPLES)
-	for name in rhomb tourmaline wedge; do oiiotool $(MADE)/crystals/$$name.png --ch R,G,B \
+	$(MAKE) -f pipelines/crystals.mk BIN=$(BIN) OUT=$(MADE) SAMPLES=$(SAMPLES) \
+	  STRESS_SIZE=160x160 STRESS_SAMPLES=1
+	for name in rhomb tourmaline wedge stress; do oiiotool $(MADE)/crystals/$$name.png --ch R,G,B \
 	  --resize $(WIDTH)x0 -o $(MADE)/$$name.png || exit 1; done
-	oiiotool $(MADE)/wedge.png $(MADE)/tourmaline.png $(MADE)/rhomb.png --create $(WIDTH)x$$(($(WIDTH) * 51 / 40)) 3 \
-	  --paste +0+0 --paste +0+$$(($(WIDTH) / 4)) --paste +0+$$(($(WIDTH) * 7 / 8)) -d uint8 -o $@
+	oiiotool $(MADE)/stress.png $(MADE)/wedge.png $(MADE)/tourmaline.png $(MADE)/rhomb.png \
+	  --create $(WIDTH)x$$(($(WIDTH) * 71 / 40)) 3 --paste +0+0 --paste +0+$$(($(WIDTH) / 4)) \
+	  --paste +0+$$(($(WIDTH) * 7 / 8)) --paste +0+$$(($(WIDTH) * 51 / 40)) -d uint8 -o $@

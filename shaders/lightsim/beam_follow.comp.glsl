@@ -4,7 +4,7 @@
 #include "shared/bindings.h"
 
 #ifndef CRYSTALS
-#error CRYSTALS must be 0 or 1
+#error CRYSTALS must be 0 to 2
 #endif
 #include "lightsim/beam_kind.glsl"
 
