@@ -1,4 +1,4 @@
-# Caption: Calcite doubles a page, tourmaline is dark along one axis, a wedge of quartz shows its interference colours.
+# Caption: Calcite doubles a page, tourmaline is dark along one axis, quartz and a compressed disc show interference colours.
 # Answers: 004 appendix A, which its author left as theory
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME := crystals
