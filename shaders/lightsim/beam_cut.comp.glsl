@@ -21,7 +21,8 @@ const int kMostCells = 16;   // cells along a beam: one that bends so much is a 
 const float kDensity = 80.0; // cells along it for a bend as large as itself
 const float kFlat = 0.05;    // a bend of so much is none [fine voxel]
 const float kChange = 0.05;  // a cell's light, even over it, may change by so much along it
-const float kDimmest = 1.0e-4; // beams dimmer than that by the plain light are cut no coarser
+const vec2 kDim = vec2(1.0e-4, 0.05); // beams dimmer than the latter, by the plain light, may be cut coarser, and no
+                                      // more so below the former
 
 // Cells along one side of a beam, whose rows have their points `step` apart and begin `row` apart, none
 // longer than that. `care`: how much the beam's errors count.
@@ -64,8 +65,8 @@ void main() {
         float carries = edge * edge * params.map.x * fine * fine * weight[4];
         float longest = carries < kFaint ? 1.0e9 : kLongest;
         float area = 0.5 * length(cross(place[8] - place[0], place[6] - place[2]));
-        float bright = clamp(carries / max(area, 1.0e-20), kDimmest, 1.0);
-        float care = sqrt(sqrt(bright));
+        float bright = clamp(carries / max(area, 1.0e-20), kDim.x, kDim.y);
+        float care = sqrt(sqrt(bright / kDim.y));
         count.x = cellsAlong(place, weight, 1, 3, longest, care);
         count.y = cellsAlong(place, weight, 3, 1, longest, care);
     }
