@@ -13,7 +13,6 @@ PICTURES ?= wine amber_bunny cube logo emissive museum fresnel ground painting f
             crystals ring modeller
 default: $(OUT)/index.html
 .PHONY: default
-.SECONDARY:
 
 $(OUT)/%.seconds: pipelines/gallery/%.mk pipelines/gallery/common.mk
 	@mkdir -p $(@D)

@@ -48,7 +48,7 @@ const float kFaint = 0.01; // share of the light's own irradiance below which it
 // whose rays part behind interfaces there are many, along lines: there it is the share of a whole cell's light, which
 // for lines gives the least error for as many cells.
 const float kWorth = 0.01;
-const float kBrokenWorth = 0.01;
+const float kBrokenWorth = 0.006;
 const float kFlat = 0.1;   // a bend of so much of a fine voxel is none
 const float kDot = 0.25;   // an extent of so much of one is a point,
 const int kTold = 3;       // if so many points tell it
