@@ -380,6 +380,20 @@ TEST(LightSurfaces, PanesSendEachOthersReflectionsDown) {
     EXPECT_LT(lit.counter("light_dropped_by_depth"), 1e-4);
 }
 
+TEST(LightSurfaces, DimLightThatIsSpreadWideIsAllThere) {
+    // A lamp shines up at a ball: its floor gets what the ball sends back alone, of every order.
+    const ivec3 size(64, 32, 64);
+    judge::Glass glass{{judge::glassBox(dvec3(-50, -50, -50), dvec3(114, 6.3, 114), 1)}};
+    glass.solids.push_back(judge::glassBall(dvec3(32, 20, 32), 6, 1.5));
+    const Lit lit(sceneOf(glass, size), onSurfaces(parseLight("spot:32,11,32:0,1,0:40"), 2));
+    double sum = 0;
+    forEachLit(lit.result.irradiance, [&](const dvec3&, const glm::vec3& e) { sum += e.x / 4; });
+    const Energy& energy = lit.stats.energy;
+    EXPECT_GT(energy.absorbed[0], 0.03 * energy.entered[0]);
+    EXPECT_LT(energy.absorbed[0], 0.2 * energy.entered[0]);
+    EXPECT_NEAR(sum, energy.absorbed[0], 0.005 * energy.absorbed[0]);
+}
+
 TEST(LightSurfaces, APointLightFallsOffWithTheSquare) {
     const judge::Glass floor{{judge::glassBox(dvec3(-9), {40, 3, 40}, 1)}};
     const dvec3 place(12, 20, 12);

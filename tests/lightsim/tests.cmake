@@ -22,7 +22,7 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "LightMetal.ACylinders*" "LightRough.ARough*"
                                           "LightRough.PhotonsTake*" "LightCoat.ItsBases*" "LightPoints.OfLightsApart*" "LightDispersion.White*"
                                           "Lights.ARect*" "LightSurfaces.TheSameRun*"
-                                          "LightSharp.OutOfGlass*" "LightLens.ATurned*")
+                                          "LightSurfaces.DimLight*" "LightSharp.OutOfGlass*" "LightLens.ATurned*")
 
 eikonal_manners(lightsim_manners lightsim/lightsim_test.sh LONG bad_usage old_names lights points)
 
