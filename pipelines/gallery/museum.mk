@@ -62,7 +62,7 @@ $(MADE)/%.vdb: $$(MESHES_$$*) $(MADE)/%_stand.obj
 	  $(FLOOR) --bounds=$(BOUNDS_$*) --resolution $(RESOLUTION)
 $(MADE)/%_lit.vdb: $(MADE)/%.vdb
 	$(BIN)/lightsim $< -o $@ --light directional:0.45,-1,-0.35:2.6,2.5,2.3 \
-	  --light directional:-0.12,-1,-0.3:0.6,0.65,0.7 --surface-detail 1 --max-depth 10
+	  --light directional:-0.12,-1,-0.3:0.6,0.65,0.7 --surface-detail 1 --max-depth 6
 $(OUT)/museum.exr $(OUT)/museum.png &: $(THINGS:%=$(MADE)/%_lit.vdb) $(ROOM)
 	$(BIN)/render $(THINGS:%=$(MADE)/%_lit.vdb) -o $(OUT)/museum.exr -o $(OUT)/museum.png --eye -0.5,4.6,10 \
 	  --target -0.15,0.75,0 --fov 28 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)
