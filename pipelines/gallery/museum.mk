@@ -51,6 +51,8 @@ MATTER_cube   := --ior 1.45 --ior 1.7 --absorption 0.5,2.2,2.8 --absorption 2.8,
 MATTER_ring   := --ior 1.5 --absorption 0.3,1.6,2.4 --absorption 0 --opacity 0
 MATTER_sphere := --ior 1.5 --absorption 1.6,0.5,0.2 --absorption 0 --opacity 0
 MATTER_gyroid := --ior 1.55 --absorption 1.8,0.5,1.4 --absorption 0 --opacity 0
+# The gyroid parts rays at every turn: fewer cells will do.
+CELLS_gyroid := --photons 65536
 MESHES_block  := $(MADE)/block_0.obj $(MADE)/block_1.obj
 MESHES_cube   := $(MADE)/cube_0.obj $(MADE)/cube_1.obj
 MESHES_ring   := $(MADE)/ring_0.obj
@@ -62,7 +64,8 @@ $(MADE)/%.vdb: $$(MESHES_$$*) $(MADE)/%_stand.obj
 	  $(FLOOR) --bounds=$(BOUNDS_$*) --resolution $(RESOLUTION)
 $(MADE)/%_lit.vdb: $(MADE)/%.vdb
 	$(BIN)/lightsim $< -o $@ --light directional:0.45,-1,-0.35:2.6,2.5,2.3 \
-	  --light directional:-0.12,-1,-0.3:0.6,0.65,0.7 --surface-detail 1 --max-depth 6
+	  --light directional:-0.12,-1,-0.3:0.6,0.65,0.7 --surface-detail 1 --max-depth 6 \
+	  $(CELLS_$*)
 $(OUT)/museum.exr $(OUT)/museum.png &: $(THINGS:%=$(MADE)/%_lit.vdb) $(ROOM)
 	$(BIN)/render $(THINGS:%=$(MADE)/%_lit.vdb) -o $(OUT)/museum.exr -o $(OUT)/museum.png --eye -0.5,4.6,10 \
 	  --target -0.15,0.75,0 --fov 28 --size $(SIZE) --samples $(SAMPLES) --env $(ROOM)

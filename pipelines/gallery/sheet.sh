@@ -26,12 +26,12 @@ if [ "$1" = --page ]; then
             printf '\n## %s\n\n![%s](gallery/%s.jpg)\n\n%s Answers %s. %s s: `make -f pipelines/gallery/%s.mk`.\n' "$name" \
                 "$(of "$name" Caption)" "$name" "$(of "$name" Caption)" "$(of "$name" Answers)" "$(<"$folder/$name.seconds")" "$name"
         done
-        printf '\nMore recipes, not shown here:'
+        others=
         for recipe in "$here"/*.mk; do
             name=$(basename "$recipe" .mk)
-            [[ $name == common || " $* " == *" $name "* ]] || printf ' `%s`' "$name"
+            [[ $name == common || " $* " == *" $name "* ]] || others+=" \`$name\`"
         done
-        printf '.\n'
+        [ -z "$others" ] || printf '\nMore recipes, not shown here:%s.\n' "$others"
     } >"$page"
     exit
 fi
