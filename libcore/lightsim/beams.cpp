@@ -26,7 +26,11 @@ constexpr int kStart = 1 << kAimedLevels;
 // Most points of one generation that are kept at a time; beyond, cells are split in parts.
 constexpr std::int64_t kMostPoints = 3 << 18;
 // Cells split at a time beyond that, and sorted at a time.
-constexpr std::int64_t kPart = 1 << 14, kSorted = 1 << 16;
+constexpr std::int64_t kPart = 1 << 14, kSorted = 1 << 14;
+// So many points that go on are followed before more cells are sorted: with those of the cells
+// sorted last, and of one part, the next generation fits the 128 MiB that every device's storage
+// buffers have.
+constexpr std::int64_t kMostWanted = kMostPoints / 2;
 
 // What one beam covers at most, along an axis [fine voxel], if it is worth more: its cells are laid
 // down exactly up to that (kLongest times kMostCells in shaders/lightsim/beam_cut.comp.glsl).
@@ -47,8 +51,8 @@ constexpr std::uint32_t kBeamsPerCut = 1 << 13;
 constexpr std::uint32_t kCellsPerBeam = 256;
 constexpr std::int64_t kCellBytes = 8;
 
-// Most interfaces of a kind of path: its branches are bits of a word.
-constexpr int kMostWays = 31;
+// Most bits of the branches of a kind of path.
+constexpr int kKindBits = 31;
 
 constexpr std::int64_t kNodeBytes = sizeof(BeamNode);
 constexpr std::int64_t kPointBytes = sizeof(BeamPoint);
@@ -131,8 +135,8 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
     const int detail = plan.surfaces.detail;
     mParams.size = ivec4(plan.scene.size(), detail);
     mParams.limits = vec4(params.stepMin, params.beamCutoff, 0, params.beamError);
-    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kMostWays / mBranchBits));
-    mParams.kind.w = params.seed;
+    mParams.list.w = static_cast<unsigned>(std::min(params.maxDepth, kKindBits / mBranchBits));
+    mParams.generation.z = params.seed;
     mParams.levels = ivec4(2 << params.beamLevels, 0, 0, kWidest);
     mParams.right.w = static_cast<float>(params.shadowCull);
 }
@@ -235,8 +239,8 @@ void Beams::trace(Run& run, Generation& of, std::int64_t items, std::int64_t fir
                   const Generation* before) {
     mParams.list.x = static_cast<unsigned>(items);
     mParams.list.y = static_cast<unsigned>(first);
-    mParams.kind.y = static_cast<unsigned>(of.length);
-    mParams.kind.z = before != nullptr;
+    mParams.generation.x = static_cast<unsigned>(of.length);
+    mParams.generation.y = before != nullptr;
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
     run.transport.bind();
@@ -286,10 +290,11 @@ void Beams::layDown(Run& run, std::uint32_t beams) {
 void Beams::level(Run& run, Generation& of, const Nodes& nodes) {
     for (std::int64_t first = 0; first < nodes.count && !run.nearFull; first += kSorted) {
         sort(run, of, nodes, first, std::min(kSorted, nodes.count - first));
-        if (of.wantedCount > kMostPoints) follow(run, of, false);
+        if (of.wantedCount > kMostWanted) follow(run, of, false);
     }
 }
 
+/// What becomes of some cells: those that are split are followed to their smallest parts.
 void Beams::sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begin,
                  std::int64_t count) {
     gpu::Buffer beams(run.device, count * 4), splits(run.device, count * 4);
@@ -299,7 +304,7 @@ void Beams::sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begi
     mCounts.upload(counts.data(), mCounts.bytes());
     mParams.list.x = static_cast<unsigned>(count);
     mParams.list.y = static_cast<unsigned>(begin);
-    mParams.kind.y = static_cast<unsigned>(of.length);
+    mParams.generation.x = static_cast<unsigned>(of.length);
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
     of.points.bindStorage(kPointsBuffer);
@@ -365,7 +370,7 @@ void Beams::follow(Run& run, Generation& of, bool last) {
     mCounts.bindStorage(kBeamCountsBuffer);
     of.slots.bindStorage(kSlotsBuffer);
     nodes.list.bindStorage(kNextNodesBuffer);
-    mParams.kind.y = static_cast<unsigned>(of.length);
+    mParams.generation.x = static_cast<unsigned>(of.length);
     for (const Nodes& waiting : of.next) {
         mParams.list.x = static_cast<unsigned>(waiting.count);
         mBlock.upload(&mParams, sizeof mParams);
@@ -386,6 +391,7 @@ void Beams::follow(Run& run, Generation& of, bool last) {
     else
         of.marks.clear();
     level(run, after, nodes);
+    nodes = {};
     follow(run, after, true);
 }
 
@@ -455,8 +461,10 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
     const std::int64_t branches = plan.polarises() ? 4 : 2;
     const std::int64_t point = kPointBytes + 4 + 2 * 4 * branches +
                                (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
-    // Of one generation, with those of cells that are split.
-    return {{"the beams", std::min(16 * 4 * cells, kMostPoints) * point, true, 0},
+    // Of one generation, with those of cells that are split, and of the next.
+    const std::int64_t generation = std::min(16 * 4 * cells, kMostPoints) * point;
+    return {{"the beams", generation, true, 0},
+            {"the beams that go on", generation, true, 0},
             {"the beams' cells", kCellBytes * kBeamsPerCut * kCellsPerBeam, true, 0}};
 }
 

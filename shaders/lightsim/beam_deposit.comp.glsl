@@ -243,7 +243,7 @@ void main() {
     float edge = float(node.place.z) / float(params.levels.x);
     float unit = params.limits.z * edge * edge;
     uint which = uint(16 * part.y + part.x);
-    uint place = pcgHash(uint(node.place.y) ^ pcgHash(256u * params.kind.w + which));
+    uint place = pcgHash(uint(node.place.y) ^ pcgHash(256u * params.generation.z + which));
     float phase = uniformOf(pcgHash(uint(node.place.x) ^ place));
     uint deposits = 0u;
     if (task.x < 0x80000000u) deposits = putCell(node, part.xy, part.zw, unit, phase);

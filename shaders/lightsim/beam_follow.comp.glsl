@@ -22,7 +22,7 @@ void main() {
     for (uint branch = 0u; branch < 1u << kBranchBits; ++branch) {
         if ((node.state.y >> branch & 1u) == 0u) continue;
         BeamNode next = node;
-        next.state.w = kindAfter(node.state.w, int(params.kind.y), branch);
+        next.state.w = kindAfter(node.state.w, int(params.generation.x), branch);
         next.second.x = slots[wantedAs(node.second.x, branch)];
         if (node.state.x == 0u) { // else its middle is all there is
             for (int i = 0; i < 4; ++i) next.first[i] = slots[wantedAs(node.first[i], branch)];

@@ -15,7 +15,15 @@ uint kindAfter(uint kind, int branches, uint branch) {
     return kind | branch << (kBranchBits * branches);
 }
 
-// A point that goes on by a branch, in one word.
+// A point that goes on by a branch, in one word, and back.
 uint wantedAs(uint point, uint branch) {
     return point << kBranchBits | branch;
+}
+
+uint wantedPoint(uint word) {
+    return word >> kBranchBits;
+}
+
+uint wantedBranch(uint word) {
+    return branchAt(word, 0);
 }

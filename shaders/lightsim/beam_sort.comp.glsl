@@ -200,8 +200,8 @@ void main() {
     } else if (kCulls && idle) {
         landed = 0;
     }
-    bool isStarting = params.kind.y == 0u && node.place.z > params.levels.x;
-    bool isWorthIt = params.kind.y > 0u && !agree ? share * area >= kBrokenWorth : share * edge >= kWorth;
+    bool isStarting = params.generation.x == 0u && node.place.z > params.levels.x;
+    bool isWorthIt = params.generation.x > 0u && !agree ? share * area >= kBrokenWorth : share * edge >= kWorth;
     split = split && node.place.z > kSmallest && isWorthIt;
     if (split || (isStarting && isAimedAt(node))) {
         splits[atomicAdd(counts[kSplitCount], 1u)] = item;
@@ -244,7 +244,7 @@ void main() {
                 dropped += ((follow & 4u) == 0u ? point.place.w : 0.0) + ((follow & 8u) == 0u ? point.wave.w : 0.0);
             enter(kBookDim, power * dropped);
         }
-        if (params.kind.y == 0u && its != kNone) enter(kBookEntered, power);
+        if (params.generation.x == 0u && its != kNone) enter(kBookEntered, power);
     }
     bool culled = kCulls && landed == 0 && status == kStopped;
     if (culled) atomicAdd(counts[kCulledCount], 1u);

@@ -36,7 +36,7 @@ layout(binding = kOpacityFieldUnit) uniform sampler3D opacityField;
 #include "transport/opaque_voxels.glsl"
 
 struct Load {
-    uint kind;
+    uint kind;      // of path, that it is to take
     int taken;      // branches taken so far
     uint met;       // hash of what was met
     int object;     // of the boundary that it stopped at
@@ -137,7 +137,7 @@ void unpackState(inout Path path, uint state) {
 
 // As onInterface(), where there are up to four branches.
 void onCrystal(inout Path path, inout Load load, Interface at, Outgoing outgoing[kMostOutgoing], int rays) {
-    bool waits = load.taken == int(params.kind.y);
+    bool waits = load.taken == int(params.generation.x);
     uint wanted = waits ? 0u : branchAt(load.kind, load.taken);
     vec4 shares = vec4(0.0);
     int taken = -1;
@@ -174,7 +174,7 @@ void onInterface(inout Path path, inout Load load, Interface at) {
         onCrystal(path, load, at, outgoing, rays);
         return;
     }
-    if (load.taken == int(params.kind.y)) {
+    if (load.taken == int(params.generation.x)) {
         path.status = path.depth >= int(params.list.w) ? kDeep : kMeets;
         load.object = at.object;
         load.mirrored = rays > 1 ? outgoing[1].share : 1.0;
@@ -252,7 +252,7 @@ Path pathFromParent(uint id, inout Load load) {
     path.depth = int(parent.event.w >> 16u);
     if (kCrystals) unpackState(path, uint(parent.map.w));
     load.met = parent.event.y;
-    load.taken = int(params.kind.y) - 1;
+    load.taken = int(params.generation.x) - 1;
     int object = int(parent.event.z);
     if (kObjects > 0 && parent.event.x == uint(kMeets)) {
         Hit hit = Hit(0.0, object, distanceAt(object, path.ray.x).xyz, 0);
@@ -268,15 +268,15 @@ void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
     takeLine(0u);
-    bool goesOn = params.kind.z == 1u;
+    bool goesOn = params.generation.y == 1u;
     uint id = goesOn ? item : params.list.y + item;
     Load load = Load(0u, 0, 1u, -1, 1.0, vec2(0.0), vec3(0.0), vec3(0.0));
     Path path;
     int place;
     if (goesOn) {
-        uint parent = wanted[item] >> kBranchBits;
+        uint parent = wantedPoint(wanted[item]);
         place = parents[parent].map.x;
-        load.kind = kindAfter(uint(parents[parent].map.y), int(params.kind.y) - 1, wanted[item] & ((1u << kBranchBits) - 1u));
+        load.kind = kindAfter(uint(parents[parent].map.y), int(params.generation.x) - 1, wantedBranch(wanted[item]));
         path = pathFromParent(parent, load);
     } else {
         place = points[id].map.x;
@@ -293,7 +293,7 @@ void main() {
         }
     }
     if (path.status == kAlive) path.status = kTrapped;
-    if (load.taken < int(params.kind.y)) path.status = path.status == kTrapped ? kTrapped : kNone;
+    if (load.taken < int(params.generation.x)) path.status = path.status == kTrapped ? kTrapped : kNone;
     BeamPoint point;
     point.place = vec4(path.ray.x, kCrystals ? load.extraordinary.x : 0.0);
     point.wave = vec4(path.status == kStopped ? load.outward : path.ray.w,

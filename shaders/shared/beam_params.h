@@ -53,8 +53,8 @@ struct BeamParams {
     vec4 limits; // x: shortest step [voxel], y: a share below is not followed, z: fixed-point unit
                  // of all power of a cell, w: how far a beam may be off [fine voxel]
     uvec4 list; // x: items, y: the first point, z: points there are, w: most interfaces met
-    uvec4 kind; // y: branches taken by every kind of path of the generation, z: whether points go on
-                // from those of the generation before, w: differs by seed and batch
+    uvec4 generation; // x: branches taken by every kind of path of it, y: whether points go on from
+                      // those of the one before, z: differs by seed
     ivec4 levels; // x: edge of a cell [finest cell], y: starting cells, of kAimedLevels more,
                   // along x, z: along y; w: the longest edge of what one beam covers [fine voxel]
     vec4 aims[kMostAims]; // parts of the map, low and high corners, where none is larger than a cell
