@@ -43,8 +43,7 @@ ObjectSet objectsHolding(vec3 x) {
     ObjectSet close = closeTo(x);
     ObjectSet rest = close;
     for (int i = 0; i < slotsOf(close); ++i) {
-        int k = objectAt(rest, i);
-        if (passesOver(close, k)) continue;
+        int k = objectAt(rest);
         inside = changed(inside, k, distanceAt(k, x).w < 0.0);
     }
     return inside;
@@ -193,8 +192,7 @@ void measure(ivec3 voxel) {
             Cover cover = kBare;
             ObjectSet rest = close;
             for (int i = 0; i < slots; ++i) {
-                int k = kObjects > 0 ? objectAt(rest, i) : 0;
-                if (kObjects > 0 && passesOver(close, k)) continue;
+                int k = kObjects > 0 ? objectAt(rest) : 0;
                 Cover whole = kBare; // touched alone it has a normal, and no area
                 if (covers(k, near, x, edge, whole)) take(cover, 0.0, whole.normal);
                 for (int part = 0; part < parts * parts * parts; ++part) {
@@ -223,8 +221,7 @@ void main() {
     ObjectSet rest = close;
     int slots = kObjects > 0 ? slotsOf(close) : 1;
     for (int i = 0; i < slots; ++i) {
-        int k = kObjects > 0 ? objectAt(rest, i) : 0;
-        if (kObjects > 0 && passesOver(close, k)) continue;
+        int k = kObjects > 0 ? objectAt(rest) : 0;
         mark(voxel, k, near, record);
     }
     if (isAtFace(vec3(voxel))) markFaces(voxel, record);

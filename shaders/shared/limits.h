@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const int kMostObjects = 64;          // with sharp boundaries
-const int kFewObjects = 4;            // kernels visit up to so many all; of more those near alone
+const int kFewObjects = 4;            // cubes have bits of up to so many each; of more the place of a set in a list
 const int kRowBits = 10;              // lists lie in textures by rows and layers of 1024²
 const float kNearby = 3.5;            // how near a boundary is noted in the tables [voxel]
 const float kExactClearance = 4.0;    // beyond, clearances are bounds alone [voxel]

@@ -40,11 +40,10 @@ const int kMostOutgoing = kCrystals ? 4 : 2;
 // done so, if a little way off that one rules.
 ObjectSet objectsBeyond(ObjectSet objects, int object, vec3 x, vec3 w, vec3 normal) {
     ObjectSet after = toggled(objects, object);
-    ObjectSet close = closeTo(x);
+    ObjectSet close = changed(closeTo(x), object, false);
     ObjectSet rest = close;
     for (int i = 0; kObjects > 1 && i < slotsOf(close); ++i) {
-        int k = objectAt(rest, i);
-        if (k == object || passesOver(close, k)) continue;
+        int k = objectAt(rest);
         vec4 found = distanceAt(k, x);
         bool leaves = sideOf(objects, k) * dot(found.xyz, w) >= 0.0;
         if (leaves || abs(found.w) > 2.0 * kTouch) continue;

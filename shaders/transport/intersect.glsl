@@ -75,10 +75,10 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
     }
     float s = 0.0;       // known to be before any boundary
     float beyond = -1.0; // known to be behind one, if above s
-    // One object alone is left for good after a steep start: no boundary so soon.
-    float trial = kObjects == 1 && departs > 0.35 ? min(0.75, segment.extent) : 0.0;
     ObjectSet known = ObjectSet(0u);   // the objects whose `own` is of s
     ObjectSet started = ObjectSet(0u); // those near the start
+    // A boundary that is alone there is left for good after a steep start: none so soon.
+    float trial = departs > 0.35 && slotsOf(closeTo(segment.start)) == 1 ? min(0.75, segment.extent) : 0.0;
     bool walking = true;
     while (walking) {
         // Leaps. A loop of its own: software devices walk all of a loop's branches in every round.
@@ -88,7 +88,7 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
             float free = clearanceAt(pointOn(segment, trial));
             if (kObjects == 1) free *= sideOf(objects, 0);
             ++hit.looks;
-            leaping = free > 2.0 * roughness();
+            leaping = freeBy(free) > leastLeap();
             if (leaping) {
                 last = free < exactClearance() ? free : -1.0;
                 s = trial;
@@ -96,7 +96,7 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
                 trial = min(s + freeBy(free), segment.extent);
                 walking = s < segment.extent;
                 leaping = walking && hit.looks < kMostLooks;
-            } else if (kObjects == 1 && last > 0.0 && free > -roughness() && trial < segment.extent) {
+            } else if (last > 0.0 && free > -leastLeap() && trial < segment.extent) {
                 // Close by: where the last two distances point to is a good place to look first.
                 float fall = (last - free) / (trial - s);
                 trial = min(trial + (fall > 0.2 ? free / fall : 0.0), segment.extent);
@@ -119,13 +119,12 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
             bool over = false;
             ObjectSet rest = close;
             for (int i = 0; i < slotsOf(close); ++i) {
-                int k = objectAt(rest, i);
+                int k = objectAt(rest);
                 here[i] = vec2(1.0e9, 0.0);
-                if (passesOver(close, k)) continue;
                 Curved curved = curvedDistanceAt(k, x, d);
                 vec4 found = sideOf(objects, k) * curved.sum;
                 here[i] = vec2(found.w, dot(found.xyz, d));
-                bool noted = !kMany || contains(started, k);
+                bool noted = contains(started, k);
                 int slot = noted ? slotOf(started, k) : 0;
                 if (trial == 0.0 && here[i].y > 0.0) least[slot] = min(here[i].x, 0.0);
                 if (noted && here[i].x > 0.0) least[slot] = 0.0;
@@ -162,8 +161,7 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
                     ObjectSet both = known & close;
                     rest = both;
                     for (int i = 0; i < slotsOf(both); ++i) {
-                        int k = objectAt(rest, i);
-                        if (passesOver(both, k)) continue;
+                        int k = objectAt(rest);
                         vec2 before = own[slotOf(known, k)];
                         vec2 now = here[slotOf(close, k)];
                         if (before.y >= 0.0 || now.y <= 0.0) continue;
@@ -180,11 +178,8 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
                     own = here;
                     known = close;
                     float ahead = kNearStep;
-                    rest = close;
                     for (int i = 0; i < slotsOf(close); ++i)
-                        if (!passesOver(close, objectAt(rest, i)))
-                            ahead = min(ahead, here[i].y < 0.0 ? -here[i].x / here[i].y
-                                                               : max(here[i].x, 0.5));
+                        ahead = min(ahead, here[i].y < 0.0 ? -here[i].x / here[i].y : max(here[i].x, 0.5));
                     trial = s + max(ahead, 1.0e-3);
                     if (beyond > s && trial >= beyond) trial = 0.5 * (s + beyond);
                     trial = min(trial, segment.extent);

@@ -21,15 +21,12 @@ layout(binding = kClearanceUnit) uniform sampler3D clearance;
 layout(binding = kNearbyUnit) uniform usampler3D nearby;
 layout(binding = kSetsUnit) uniform usampler3D sets;
 
-// What a filtered clearance may be too large by [cube's edge]: a smooth one is interpolated well; of
-// several objects it has a crease at every boundary; far off it is a bound for its cube's centre alone.
-const float kRough = kObjects == 1 ? 0.25 : 0.9;
+// What a filtered clearance may be too large by [cube's edge]: a smooth one is interpolated well; far off it is a
+// bound for its cube's centre alone. Of several objects it has no sign, and a crease at every boundary: where it is
+// below kCreased one may be within the cubes that it is filtered from.
+const float kRough = 0.25;
+const float kCreased = kObjects > 1 ? 0.75 : 0.0;
 const float kFarRough = 0.9;
-
-// The same [voxel].
-float roughness() {
-    return kRough * scene.clearance.w;
-}
 
 // Where an entry of a list lies in its texture.
 ivec3 placeInRows(uint entry) {
@@ -59,7 +56,7 @@ ObjectSet holding(vec3 x) {
 #endif
 }
 
-// How far off the nearest boundary is, but for roughness(); of one object alone with its sign.
+// How far off the nearest boundary is, but for kRough; of one object alone with its sign.
 float clearanceAt(vec3 x) {
     return textureLod(clearance, (x + 0.5) * scene.clearance.xyz, 0.0).x;
 }
@@ -71,7 +68,14 @@ float exactClearance() {
 
 // How far is surely free of boundaries where the clearance from this side is that.
 float freeBy(float free) {
-    return free - (free < exactClearance() ? kRough : kFarRough) * scene.clearance.w;
+    float edge = scene.clearance.w;
+    bool even = free < exactClearance() && free >= kCreased * edge;
+    return free - (even ? kRough : kFarRough) * edge;
+}
+
+// Shorter ways are not worth a leap [voxel].
+float leastLeap() {
+    return kRough * scene.clearance.w;
 }
 
 // Where the spline of a cell is looked up.

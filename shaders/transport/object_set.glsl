@@ -1,9 +1,8 @@
 // Sets of objects, a bit each: in one word of few objects, in two of many.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is known of each object in a set stands in an array. Of few objects its place there is the object's
-// own number, so that loops over all of them have a fixed length and a set tells whom to pass over; of many
-// it is how many of the set come before it, and loops visit the set alone.
+// What is known of each object in a set stands in an array, at how many of the set come before it: loops visit
+// the set alone, since software devices walk what a condition passes over.
 
 #if !defined(OBJECTS) || !defined(NEAR)
 #error OBJECTS must be 0 (blurred boundaries) to 64, NEAR 0 of up to 16 objects and from 1 of more
@@ -68,7 +67,7 @@ uint firstBits(uvec2 set) {
 
 // Places in an array of what is known of a set's objects.
 int slotsOf(uint set) {
-    return kObjects;
+    return bitCount(set);
 }
 
 int slotsOf(uvec2 set) {
@@ -77,7 +76,7 @@ int slotsOf(uvec2 set) {
 
 // The place of k, which is in the set.
 int slotOf(uint set, int k) {
-    return k;
+    return kObjects == 1 ? 0 : bitCount(set & ((1u << k) - 1u));
 }
 
 int slotOf(uvec2 set, int k) {
@@ -85,23 +84,16 @@ int slotOf(uvec2 set, int k) {
     return k < 32 ? bitCount(set.x & before) : bitCount(set.x) + bitCount(set.y & before);
 }
 
-// The object at place i of a set, which `rest` is at place 0 and loses object by object.
-int objectAt(inout uint rest, int i) {
-    return i;
+// The first object of a set that is visited, which loses it.
+int objectAt(inout uint rest) {
+    int k = kObjects == 1 ? 0 : findLSB(rest);
+    rest &= rest - 1u;
+    return k;
 }
 
-int objectAt(inout uvec2 rest, int i) {
+int objectAt(inout uvec2 rest) {
     int k = firstOf(rest);
     if (rest.x != 0u) rest.x &= rest.x - 1u;
     else rest.y &= rest.y - 1u;
     return k;
-}
-
-// Whether the object at a place of a set is none of it.
-bool passesOver(uint set, int k) {
-    return !contains(set, k);
-}
-
-bool passesOver(uvec2 set, int k) {
-    return false;
 }

@@ -57,11 +57,10 @@ ObjectSet objectsAt(vec3 x, vec3 direction, bool behind) {
     ObjectSet close = closeTo(x);
     ObjectSet rest = close;
     for (int i = 0; i < slotsOf(close); ++i) {
-        int k = objectAt(rest, i);
-        if (passesOver(close, k)) continue;
+        int k = objectAt(rest);
         float free = kObjects == 1 ? clearanceAt(x) : 0.0;
         bool holds = free < 0.0;
-        if (abs(free) < 2.0 * roughness()) {
+        if (freeBy(abs(free)) < leastLeap()) {
             vec4 found = distanceAt(k, x);
             float slope = dot(found.xyz, direction);
             float error = liesAlongFace(x, found.xyz) ? kFlush : roundingAt(x);
