@@ -99,12 +99,16 @@ public:
 
     /// At the centre [voxel], held back by how far the domain ends before it.
     float distanceAt(ivec3 cube) const {
-        if (mEdge == 1) return mObject.distance.at(cube);
-        const ivec3 last = mObject.distance.size - 1;
+        const volume::BrickGrid& grid = mObject.distance;
+        if (mEdge == 1) return grid.at(cube);
+        const ivec3 last = grid.size - 1;
         const ivec3 p = mEdge * cube + mEdge / 2 - 1;
+        const bool within = p + 1 == glm::min(p + 1, last);
+        const size_t brick = grid.brickOf(glm::min(p, last));
+        if (within && grid.page[brick] < 0 && brick == grid.brickOf(p + 1)) return grid.even[brick];
         float sum = 0;
         for (int i = 0; i < 8; ++i)
-            sum += mObject.distance.at(glm::min(p + ivec3(i & 1, i >> 1 & 1, i >> 2), last));
+            sum += grid.at(glm::min(p + ivec3(i & 1, i >> 1 & 1, i >> 2), last));
         return heldBack(sum / 8, p + 1 - last);
     }
 
@@ -112,7 +116,8 @@ public:
     float farDistanceAt(ivec3 cube) const {
         const ivec3 last = mObject.distance.size - 1;
         const ivec3 p = mEdge * cube + mEdge / 2 - 1;
-        return mEdge == 1 ? mObject.band : heldBack(mObject.band, p + 1 - last);
+        const bool within = mEdge == 1 || p + 1 == glm::min(p + 1, last);
+        return within ? mObject.band : heldBack(mObject.band, p + 1 - last);
     }
 
     /// Those that are not surely far outside.
@@ -152,12 +157,14 @@ private:
     int mEdge;
 };
 
-/// A layer of cubes along z: how far off any boundary is, and the objects' sets.
+/// A layer of cubes along z: how far off any boundary is, and the objects' sets. Of one alone none
+/// needs to know whether it is near.
 std::vector<ObjectSets> fillLayer(const std::vector<Object>& objects,
                                   const std::vector<volume::IndexBox>& boxes, int z,
                                   BoundaryTable& table) {
     const size_t first = placeOf(table.size, 0, 0, z);
     std::vector<ObjectSets> sets(placeOf(table.size, 0, 0, 1));
+    const bool alone = objects.size() == 1;
     float* nearest = table.clearance.data() + first;
     // No object is further off than its band.
     const auto& least =
@@ -177,7 +184,7 @@ std::vector<ObjectSets> fillLayer(const std::vector<Object>& objects,
                 const float d = object.distanceAt({x, y, z});
                 nearest[i] = std::min(nearest[i], std::abs(d));
                 if (d < 0) sets[i].inside |= bit;
-                if (object.nearTo({x, y, z}, d)) sets[i].near |= bit;
+                if (!alone && object.nearTo({x, y, z}, d)) sets[i].near |= bit;
             }
     }
     return sets;

@@ -39,13 +39,15 @@ ivec3 texelsOf(bool packed) {
     return {packed ? kPackedTexels : kBlockCells, kCoefficients, kCoefficients};
 }
 
+// A second difference above this is a kink's: a ball of two voxels' radius has it.
+constexpr float kKink = 0.5f;
+
 /// The second difference of samples along an axis. Where walls are thin distances have a kink
 /// between both faces, which is not theirs to bend by: there it is the lesser of the neighbours'.
 float bendOf(const float* s, size_t stride) {
     const auto at = [&](int i) { return s[i * static_cast<std::ptrdiff_t>(stride)]; };
     const auto second = [&](int i) { return at(i - 1) - 2 * at(i) + at(i + 1); };
     const float own = second(0);
-    const float kKink = 0.5f; // a ball of two voxels' radius has this
     if (std::abs(own) <= kKink) return own;
     const float before = second(-1), behind = second(1);
     const float least = std::abs(before) < std::abs(behind) ? before : behind;
@@ -68,9 +70,18 @@ class Samples {
 public:
     explicit Samples(const volume::BrickGrid& grid) : mGrid(grid) {}
 
-    float at(ivec3 p) const {
-        const ivec3 in = glm::clamp(p, ivec3(0), mGrid.size - 1);
-        return p == in ? mGrid.at(p) : beyond(p, in);
+    /// Of a cube of voxels, x fastest.
+    void copyCube(ivec3 low, int edge, float* out) const {
+        mGrid.copyBox(low, ivec3(edge), out);
+        const ivec3 last = mGrid.size - 1;
+        if (low == glm::max(low, ivec3(0)) && low + edge - 1 == glm::min(low + edge - 1, last))
+            return;
+        for (int z = 0; z < edge; ++z)
+            for (int y = 0; y < edge; ++y)
+                for (int x = 0; x < edge; ++x, ++out) {
+                    const ivec3 p = low + ivec3(x, y, z), in = glm::clamp(p, ivec3(0), last);
+                    if (p != in) *out = beyond(p, in);
+                }
     }
 
 private:
@@ -99,27 +110,43 @@ private:
     const volume::BrickGrid& mGrid;
 };
 
+/// A row of coefficients, from samples that are as far apart as `strides` along each axis. Returns
+/// whether distances had no kink there.
+bool makeRow(const float* samples, float* out) {
+    constexpr std::ptrdiff_t strides[] = {1, kSamples, kSamples * kSamples};
+    float most = 0;
+    for (int x = 0; x < kCoefficients; ++x) {
+        const float* at = samples + x;
+        float sum = *at;
+        for (const std::ptrdiff_t stride : strides) {
+            const float bend = at[-stride] - 2 * *at + at[stride];
+            most = std::max(most, std::abs(bend));
+            sum -= bend / 6;
+        }
+        out[x] = sum;
+    }
+    return most <= kKink;
+}
+
 /// The coefficients of a block's cells: c = s − δ²s/6 along each axis. Each is made from its
 /// neighbours alone: they make a spline that follows any cubic exactly, and a crease or the band's
 /// edge is felt no further off.
 std::array<float, kCoefficients * kCoefficients * kCoefficients>
 coefficientsOf(const Samples& samples, ivec3 block) {
     std::array<float, kSamples * kSamples * kSamples> s;
-    const ivec3 low = kBrick * block - 4;
-    for (int z = 0, i = 0; z < kSamples; ++z)
-        for (int y = 0; y < kSamples; ++y)
-            for (int x = 0; x < kSamples; ++x, ++i)
-                s[static_cast<size_t>(i)] = samples.at(low + ivec3(x, y, z));
+    samples.copyCube(kBrick * block - 4, kSamples, s.data());
     std::array<float, kCoefficients * kCoefficients * kCoefficients> c;
-    for (int z = 0, i = 0; z < kCoefficients; ++z)
-        for (int y = 0; y < kCoefficients; ++y)
-            for (int x = 0; x < kCoefficients; ++x, ++i) {
-                const float* at = s.data() + placeOf(ivec3(kSamples), x + 2, y + 2, z + 2);
-                float sum = *at;
+    for (int z = 0; z < kCoefficients; ++z)
+        for (int y = 0; y < kCoefficients; ++y) {
+            const float* from = s.data() + placeOf(ivec3(kSamples), 2, y + 2, z + 2);
+            float* row = c.data() + placeOf(ivec3(kCoefficients), 0, y, z);
+            if (makeRow(from, row)) continue;
+            for (int x = 0; x < kCoefficients; ++x) {
+                row[x] = from[x];
                 for (const size_t stride : {1, kSamples, kSamples * kSamples})
-                    sum -= bendOf(at, stride) / 6;
-                c[static_cast<size_t>(i)] = sum;
+                    row[x] -= bendOf(from + x, stride) / 6;
             }
+        }
     return c;
 }
 

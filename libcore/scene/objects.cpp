@@ -8,10 +8,12 @@
 #include "scene/shared.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <limits>
 #include <optional>
 #include <tbb/parallel_for.h>
 
@@ -53,6 +55,16 @@ struct Facts {
     std::optional<Lost> lost;         ///< the first
 };
 
+/// The box of single voxels.
+struct Extent {
+    ivec3 min{std::numeric_limits<int>::max()}, max{-1};
+
+    void take(ivec3 p) {
+        min = glm::min(min, p);
+        max = glm::max(max, p);
+    }
+};
+
 /// Looks at bricks' voxels, and at those beside them.
 class Inspector {
 public:
@@ -64,14 +76,9 @@ public:
         Facts facts;
         const size_t layer = static_cast<size_t>(mGrid.bricks.x) * mGrid.bricks.y;
         for (size_t brick = layer * z; brick < layer * (z + 1); ++brick) {
-            unsigned near = 0; // of the 2³ blocks of cells about the brick
-            if (mGrid.page[brick] < 0)
-                near = inspectEven(brick, facts);
-            else
-                forEachVoxel(voxelsOf(mGrid, brick), [&](ivec3 p) {
-                    if (inspectVoxel(p, facts))
-                        near |= blocksAbout(p, mGrid.voxelOf(brick) >> volume::kBrickBits);
-                });
+            // Of the 2³ blocks of cells about the brick.
+            const unsigned near =
+                mGrid.page[brick] < 0 ? inspectEven(brick, facts) : inspectVoxels(brick, facts);
             addCells(brick, near, facts);
         }
         return facts;
@@ -117,24 +124,38 @@ private:
         }
     }
 
-    /// Whether a boundary is near.
-    bool inspectVoxel(ivec3 p, Facts& facts) const {
-        const float d = mGrid.at(p);
-        if (d < within()) facts.box.include({p, p});
-        if (d < kCornerWay) facts.inside.include({p, p});
-        for (int axis = 0; axis < 3; ++axis) compare(p, axis, d, facts);
-        if (std::abs(d) <= std::min(2.0f, mBand - 1.5f) &&
-            glm::all(glm::greaterThan(p, ivec3(0))) && glm::all(glm::lessThan(p, mGrid.size - 1))) {
+    /// The blocks that a boundary is near to.
+    unsigned inspectVoxels(size_t brick, Facts& facts) const {
+        constexpr int kEdge = kBrick + 2; // with the voxels beside it
+        constexpr std::array<int, 3> kStrides{1, kEdge, kEdge * kEdge};
+        const ivec3 low = mGrid.voxelOf(brick), first = low >> volume::kBrickBits;
+        std::array<float, kEdge * kEdge * kEdge> values;
+        mGrid.copyBox(low - 1, ivec3(kEdge), values.data());
+        const float steep = std::min(2.0f, mBand - 1.5f), jump = 1.5f * mBand;
+        unsigned near = 0;
+        Extent box, inside;
+        forEachVoxel(voxelsOf(mGrid, brick), [&](ivec3 p) {
+            const ivec3 in = p - low + 1;
+            const float* at = values.data() + (in.z * kEdge + in.y) * kEdge + in.x;
+            const float d = *at;
+            if (d < within()) box.take(p);
+            if (d < kCornerWay) inside.take(p);
+            for (int axis = 0; axis < 3; ++axis)
+                if (std::abs(d - at[kStrides[axis]]) > jump && !facts.lost)
+                    facts.lost = Lost{p, axis};
+            if (std::abs(d) < kNearby) near |= blocksAbout(p, first);
+            if (std::abs(d) > steep || glm::any(glm::equal(p, ivec3(0))) ||
+                glm::any(glm::equal(p, mGrid.size - 1)))
+                return;
             vec3 rise;
-            for (int axis = 0; axis < 3; ++axis) {
-                ivec3 step(0);
-                step[axis] = 1;
-                rise[axis] = 0.5f * (mGrid.at(p + step) - mGrid.at(p - step));
-            }
+            for (int axis = 0; axis < 3; ++axis)
+                rise[axis] = 0.5f * (at[kStrides[axis]] - at[-kStrides[axis]]);
             facts.slopes += static_cast<double>(glm::length(rise));
             ++facts.sloped;
-        }
-        return std::abs(d) < kNearby;
+        });
+        facts.box.include({box.min, box.max});
+        facts.inside.include({inside.min, inside.max});
+        return near;
     }
 
     /// Two neighbours on either side of a boundary are no further apart than one voxel; where

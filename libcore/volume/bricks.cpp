@@ -118,17 +118,23 @@ const float* BrickGrid::valuesOf(size_t brick) const {
                : values.data() + static_cast<size_t>(page[brick]) * kBrickVoxels * count;
 }
 
-void BrickGrid::copyRow(int y, int z, float* out) const {
-    for (int x = 0; x < size.x;) {
-        const size_t brick = brickOf({x, y, z});
-        const ivec3 p = (ivec3(x, y, z) - first) & (kBrick - 1);
-        const int count = std::min(kBrick - p.x, size.x - x);
-        if (page[brick] < 0)
-            std::fill_n(out + x, count, even[brick]);
-        else
-            std::copy_n(valuesOf(brick) + (p.z * kBrick + p.y) * kBrick + p.x, count, out + x);
-        x += count;
-    }
+void BrickGrid::copyBox(const ivec3& low, const ivec3& edges, float* out) const {
+    for (int z = 0; z < edges.z; ++z)
+        for (int y = 0; y < edges.y; ++y)
+            for (int x = 0; x < edges.x;) {
+                const ivec3 wanted = low + ivec3(x, y, z);
+                const ivec3 at = glm::clamp(wanted, ivec3(0), size - 1);
+                const size_t brick = brickOf(at);
+                const ivec3 p = (at - first) & (kBrick - 1);
+                const int run = std::min({kBrick - p.x, size.x - at.x, edges.x - x});
+                const int count = at.x == wanted.x ? run : 1;
+                if (page[brick] < 0)
+                    std::fill_n(out, count, even[brick]);
+                else
+                    std::copy_n(valuesOf(brick) + (p.z * kBrick + p.y) * kBrick + p.x, count, out);
+                out += count;
+                x += count;
+            }
 }
 
 bool BrickGrid::isCut(size_t brick) const {

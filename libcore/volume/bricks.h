@@ -47,7 +47,10 @@ struct BrickGrid {
     /// Whether the box ends within a brick.
     bool isCut(size_t brick) const;
     /// The box's values of row (y, z), x from 0 on, of a grid of one component.
-    void copyRow(int y, int z, float* out) const;
+    void copyRow(int y, int z, float* out) const { copyBox({0, y, z}, {size.x, 1, 1}, out); }
+    /// The values of a part, x fastest, whose first voxel is `low`; beyond the box those of its
+    /// nearest voxels. Of a grid of one component.
+    void copyBox(const glm::ivec3& low, const glm::ivec3& edges, float* out) const;
     /// Calls `visit(values)` with a brick's values within the box: once for an even one,
     /// else of each voxel, `components` floats.
     template<typename Visit> void forEachValue(size_t brick, const Visit& visit) const;

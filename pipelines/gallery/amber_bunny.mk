@@ -1,6 +1,7 @@
 # Caption: An amber bunny with black embeddings in a case of smoke, in which it focuses light.
 # Answers: 000 figure 1, middle
 # Needs: data/bunny.off
+# Small: RESOLUTION=64 SIZE=96x72 SAMPLES=1 PHOTONS=100000
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := amber_bunny
 RESOLUTION ?= 192

@@ -1,5 +1,6 @@
 # Caption: A rounded cube of three kinds of glass, which scatter what light they focus.
 # Answers: 000 figure 1, right
+# Small: RESOLUTION=56 SIZE=96x72 SAMPLES=1 PHOTONS=60000
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := cube
 RESOLUTION ?= 160

@@ -1,6 +1,7 @@
 # Caption: Bodies that deform: in image space (upper rows) beside the same frames through volumes.
 # Answers: 003 figure 9, 002
 # Needs: data/bunny.off
+# Small: RESOLUTION=40 FRAMES=2 SIZE=64x64
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := deforming
 RESOLUTION ?= 96

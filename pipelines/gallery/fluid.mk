@@ -1,5 +1,6 @@
 # Caption: The surface of a fluid as a sequence: a drop falls into a pool, whose floor is lit through the waves.
 # Answers: 003 figure 1
+# Small: RESOLUTION=48 SIZE=80x60 'TIMES=0.24 0.45'
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := fluid
 RESOLUTION ?= 96

@@ -1,5 +1,6 @@
 # Caption: Dye dropped into water: a brush that is a volume file, stamped frame after frame.
 # Answers: 003 figure 8
+# Small: RESOLUTION=32 FRAMES=2 SIZE=80x60
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := painting
 RESOLUTION ?= 72

@@ -1,5 +1,6 @@
 # Caption: A glass of red wine casts a coloured caustic on the table.
 # Answers: 000 figure 1, left
+# Small: RESOLUTION=112 SIZE=96x72 SAMPLES=1 'LIGHT_OPTIONS=--light directional:0.5,-0.86,0.44:2.6,2.5,2.3 --surface-detail 1 --max-depth 3 --photons 65536'
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME       := wine
 RESOLUTION ?= 224

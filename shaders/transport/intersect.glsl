@@ -96,7 +96,7 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
                 trial = min(s + freeBy(free), segment.extent);
                 walking = s < segment.extent;
                 leaping = walking && hit.looks < kMostLooks;
-            } else if (last > 0.0 && free > -leastLeap() && trial < segment.extent) {
+            } else if (kObjects == 1 && last > 0.0 && free > -leastLeap() && trial < segment.extent) {
                 // Close by: where the last two distances point to is a good place to look first.
                 float fall = (last - free) / (trial - s);
                 trial = min(trial + (fall > 0.2 ? free / fall : 0.0), segment.extent);
