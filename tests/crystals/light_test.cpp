@@ -5,6 +5,9 @@
 #include "support/crystal_volume.h"
 #include "support/lit.h"
 
+#include <array>
+#include <optional>
+
 namespace eikonal::lightsim {
 namespace {
 
@@ -80,6 +83,101 @@ TEST(CrystalLight, EachModeLandsInAPlaceOfItsOwn) {
         EXPECT_NEAR(onRight ? right : left, 0.5 * through(e), 0.03);
         EXPECT_NEAR(onRight ? left : right, 0, 0.03);
         EXPECT_NEAR(onRight ? leftWithin : rightWithin, 0.5 * through(kO), 0.03);
+    }
+}
+
+TEST(CrystalLight, ABallOfCalciteHasTwoCaustics) {
+    const dvec3 centre(24.3, 24.2, 23.8), axis(1, 1, 0);
+    constexpr double kRadius = 12;
+    constexpr int kCells = 16; // of 2 by 2 voxels, about the middle
+    using Cells = std::array<double, kCells * kCells>;
+    const auto cellAt = [](double x, double z) -> std::optional<size_t> {
+        const int i = static_cast<int>(std::floor(x / 2)) - 4;
+        const int j = static_cast<int>(std::floor(z / 2)) - 4;
+        if (std::min(i, j) < 0 || std::max(i, j) >= kCells) return std::nullopt;
+        return static_cast<size_t>(kCells * j + i);
+    };
+    Cells expected{};
+    const auto land = [&](const dvec3& at, double power) {
+        if (const auto cell = cellAt(at.x, at.z)) expected[*cell] += power / 4;
+    };
+    constexpr double kStep = 0.1;
+    for (double z = 0.5 * kStep; z < 48; z += kStep)
+        for (double x = 0.5 * kStep; x < 48; x += kStep)
+            if (glm::length(glm::dvec2(x - centre.x, z - centre.z)) >= kRadius)
+                land({x, 0, z}, kStep * kStep);
+    // The judge's rays straight down, on rings about the ball's axis, and evenly between them. What
+    // is reflected within is left out.
+    constexpr int kRings = 16, kSpokes = 32, kParts = 12;
+    constexpr double kRing = 1.570796 / kRings, kSpoke = 6.283185307179586 / kSpokes;
+    struct Landed {
+        dvec3 at{0};
+        double share = 0;
+    };
+    std::array<std::vector<Landed>, 2> modes; // o and e
+    for (int i = 0; i <= kRings; ++i)
+        for (int j = 0; j <= kSpokes; ++j) {
+            const double r = kRadius * std::sin(kRing * i), phi = kSpoke * j;
+            const dvec3 from = centre + dvec3(r * std::cos(phi), 20, r * std::sin(phi));
+            for (auto& mode : modes) mode.emplace_back();
+            for (const judge::LeftBall& ray :
+                 judge::throughBall({kO, kE, axis}, centre, kRadius, from, {0, -1, 0}, 2)) {
+                if (ray.course != "o" && ray.course != "e") continue;
+                const double way = (kWall - ray.x.y) / ray.direction.y;
+                Landed& landed = modes[ray.course == "e"].back();
+                landed.at = ray.x + way * ray.direction;
+                landed.share += ray.power; // of both polarisations that arrive
+            }
+        }
+    for (const auto& mode : modes)
+        for (int i = 0; i < kRings * kParts; ++i)
+            for (int j = 0; j < kSpokes * kParts; ++j) {
+                const double u = (i + 0.5) / kParts, v = (j + 0.5) / kParts;
+                const auto at = [&](int k, int l) -> const Landed& {
+                    return mode[static_cast<size_t>((kSpokes + 1) * (i / kParts + k) + j / kParts +
+                                                    l)];
+                };
+                const double s = u - std::floor(u), t = v - std::floor(v);
+                dvec3 x(0);
+                double share = 0;
+                for (int k = 0; k < 2; ++k)
+                    for (int l = 0; l < 2; ++l) {
+                        const double weight = (k == 1 ? s : 1 - s) * (l == 1 ? t : 1 - t);
+                        x += weight * at(k, l).at;
+                        share += weight * at(k, l).share;
+                    }
+                const double angle = kRing * u;
+                land(x, share * kRadius * kRadius * std::sin(angle) * std::cos(angle) * kRing *
+                            kSpoke / (kParts * kParts));
+            }
+    const auto apart = [](const Cells& a, const Cells& b) {
+        double difference = 0, sum = 0;
+        for (size_t i = 0; i < a.size(); ++i) {
+            difference += std::abs(a[i] - b[i]);
+            sum += b[i];
+        }
+        return difference / sum;
+    };
+    const volume::Volume volume = crystalVolume(
+        ivec3(48), {{"ball", [&](dvec3 p) { return glm::length(p - centre) - kRadius; }, kO,
+                     crystalOf(kE, axis)},
+                    {"wall", [](dvec3 p) { return p.y - kWall; }, 1, {}, 0, 0}});
+    for (const Method method : {Method::photons, Method::beams}) {
+        Params params = paramsOf({parseLight("directional:0,-1,0:1")},
+                                 method == Method::photons ? 1 << 20 : 1 << 18);
+        params.outputs = Output::irradiance;
+        params.surfaceDetail = 1;
+        params.method = method;
+        const Lit lit(volume, params);
+        Cells found{};
+        const volume::FineGrid& grid = lit.result.irradiance;
+        for (size_t i = 0; i < grid.voxels.size(); ++i) {
+            const dvec3 x = dvec3(grid.voxels[i]) + 0.5;
+            if (x.y < 3) continue; // where the wall is cut open
+            if (const auto at = cellAt(x.x, x.z))
+                found[*at] += static_cast<double>(grid.values[i].x) / 4;
+        }
+        EXPECT_LT(apart(found, expected), 0.03) << (method == Method::beams);
     }
 }
 
