@@ -110,8 +110,7 @@ private:
     const volume::BrickGrid& mGrid;
 };
 
-/// A row of coefficients, from samples that are as far apart as `strides` along each axis. Returns
-/// whether distances had no kink there.
+/// A row of coefficients as if distances had no kink. Returns whether they have none there.
 bool makeRow(const float* samples, float* out) {
     constexpr std::ptrdiff_t strides[] = {1, kSamples, kSamples * kSamples};
     float most = 0;

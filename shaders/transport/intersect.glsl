@@ -120,7 +120,6 @@ Hit intersect(Segment segment, ObjectSet objects, float departs) {
             ObjectSet rest = close;
             for (int i = 0; i < slotsOf(close); ++i) {
                 int k = objectAt(rest);
-                here[i] = vec2(1.0e9, 0.0);
                 Curved curved = curvedDistanceAt(k, x, d);
                 vec4 found = sideOf(objects, k) * curved.sum;
                 here[i] = vec2(found.w, dot(found.xyz, d));
