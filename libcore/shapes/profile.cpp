@@ -76,10 +76,13 @@ void readDrawing(std::string_view text, double tolerance, Profile& profile) {
 } // namespace
 
 Profile readProfile(const std::string& path, double tolerance) {
-    const std::string bytes = readWhole(path);
+    return profileFrom(readWhole(path), path == "-" ? "standard input" : path, tolerance);
+}
+
+Profile profileFrom(std::string_view bytes, const std::string& title, double tolerance) {
     const std::string_view text = withoutByteOrderMark(bytes);
     Profile read;
-    read.title = path == "-" ? "standard input" : path;
+    read.title = title;
     const size_t first = text.find_first_not_of(" \t\r\n");
     if (first != std::string_view::npos && text[first] == '<')
         readDrawing(text, tolerance, read);

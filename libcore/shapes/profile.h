@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace eikonal::shapes {
@@ -24,5 +25,8 @@ struct Profile {
 /// Throws MissingError, and DataError with the place: a negative radius, what is no number, fewer
 /// than 2 points.
 Profile readProfile(const std::string& path, double tolerance);
+
+/// The same from a file's content, which messages name by `title`.
+Profile profileFrom(std::string_view bytes, const std::string& title, double tolerance);
 
 } // namespace eikonal::shapes

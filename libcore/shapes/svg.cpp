@@ -4,8 +4,10 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -96,6 +98,14 @@ public:
         const double x = number();
         return {x, number()};
     }
+    /// A single 0 or 1, which nothing need keep apart from what follows.
+    bool flag() {
+        const bool end = atEnd();
+        mToken = mAt;
+        if (end || (mText[mAt] != '0' && mText[mAt] != '1'))
+            fail(end ? "the end" : here(), "a flag, 0 or 1");
+        return mText[mAt++] == '1';
+    }
     std::string here() const { return "'" + std::string(mText.substr(mAt, 1)) + "'"; }
     [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
         throw DataError(mTitle + ": character " + std::to_string(mToken + 1) +
@@ -107,6 +117,49 @@ private:
     const std::string& mTitle;
     size_t mAt = 0, mToken = 0; ///< where it is, and where the last letter or number began
 };
+
+/// An ellipse's arc from one point to another, as SVG 1.1 appendix F.6 has it: cubics of at most an
+/// eighth of a turn each, which leave it by 4e-6 of its radius at most.
+std::vector<std::vector<glm::dvec2>> arcCurves(const glm::dvec2& from, const glm::dvec2& to,
+                                               glm::dvec2 radii, double turn, bool large,
+                                               bool sweep) {
+    radii = glm::abs(radii);
+    if (from == to) return {};
+    if (radii.x == 0 || radii.y == 0) return {{from, to}};
+    // Where the ellipse is the unit circle.
+    const double c = std::cos(turn), s = std::sin(turn);
+    const glm::dmat2 axes({c, s}, {-s, c});
+    const auto onCircle = [&](const glm::dvec2& p) { return (p * axes) / radii; };
+    const auto onEllipse = [&](const glm::dvec2& p) { return axes * (p * radii); };
+    const glm::dvec2 half = 0.5 * (onCircle(to) - onCircle(from));
+    const double reach = glm::length(half);
+    // Radii that are too small grow until they reach.
+    if (reach > 1) radii *= reach;
+    const glm::dvec2 a = onCircle(from), b = onCircle(to), chord = 0.5 * (b - a);
+    const double off = std::sqrt(std::max(0.0, 1 / glm::dot(chord, chord) - 1));
+    const glm::dvec2 across = glm::dvec2(-chord.y, chord.x) * off;
+    const glm::dvec2 centre = 0.5 * (a + b) + (large == sweep ? -across : across);
+    const glm::dvec2 first = a - centre, last = b - centre;
+    const double begin = std::atan2(first.y, first.x);
+    double angle = std::atan2(last.y, last.x) - begin;
+    if (sweep && angle < 0) angle += 2 * std::numbers::pi;
+    if (!sweep && angle > 0) angle -= 2 * std::numbers::pi;
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(4 * std::abs(angle) / std::numbers::pi)));
+    const double step = angle / parts, handle = 4.0 / 3 * std::tan(step / 4);
+    const auto at = [](double t) { return glm::dvec2(std::cos(t), std::sin(t)); };
+    const auto along = [](double t) { return glm::dvec2(-std::sin(t), std::cos(t)); };
+    std::vector<std::vector<glm::dvec2>> curves;
+    glm::dvec2 pen = from;
+    for (int k = 0; k < parts; ++k) {
+        const double t = begin + k * step, u = t + step;
+        const glm::dvec2 end = k + 1 == parts ? to : onEllipse(centre + at(u));
+        curves.push_back({pen, onEllipse(centre + at(t) + handle * along(t)),
+                          onEllipse(centre + at(u) - handle * along(u)), end});
+        pen = end;
+    }
+    return curves;
+}
 
 class PathReader {
 public:
@@ -153,22 +206,47 @@ private:
             const glm::dvec2 a = mText.point(), b = mText.point(), c = mText.point();
             return draw({mPen, base + a, base + b, base + c});
         }
+        case 'S': {
+            const glm::dvec2 a = mirrored(4), b = mText.point(), c = mText.point();
+            return draw({mPen, a, base + b, base + c});
+        }
+        case 'T': {
+            const glm::dvec2 a = mirrored(3);
+            return draw({mPen, a, base + mText.point()});
+        }
+        case 'A': {
+            const glm::dvec2 radii = mText.point();
+            const double turn = glm::radians(mText.number());
+            const bool large = mText.flag(), sweep = mText.flag();
+            for (auto& curve : arcCurves(mPen, base + mText.point(), radii, turn, large, sweep))
+                draw(std::move(curve));
+            mSmooth = 0;
+            return;
+        }
         case 'Z':
             if (mPen != mStart) draw({mPen, mStart});
             mOutline.closed = true;
             return;
         default:
-            mText.fail(std::string("'") + command + "'", "M L H V C Q or Z");
+            mText.fail(std::string("'") + command + "'", "M L H V C S Q T A or Z");
         }
+    }
+    /// The last control point of the curve before, mirrored at the pen, if that had so many points.
+    glm::dvec2 mirrored(size_t points) const {
+        if (mSmooth != points) return mPen;
+        const auto& before = mOutline.curves.back();
+        return 2.0 * mPen - before[before.size() - 2];
     }
     void draw(std::vector<glm::dvec2> control) {
         mPen = control.back();
+        mSmooth = control.size();
         mOutline.curves.push_back(std::move(control));
     }
 
     PathText mText;
     SvgOutline mOutline;
     glm::dvec2 mPen{0}, mStart{0};
+    size_t mSmooth = 0; ///< points of the curve before, where S or T may go on from it
     bool mBegun = false;
 };
 

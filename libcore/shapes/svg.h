@@ -16,9 +16,10 @@ struct SvgOutline {
 };
 
 /// Of the first <path>, <polyline> or <polygon> that is drawn (what <defs>, <clipPath>, <marker>,
-/// <mask>, <pattern> and <symbol> hold is not). A path may have M L H V C Q Z, absolute or
-/// relative, and one outline. Throws DataError, with the place in the path data, for anything else,
-/// also a transform, which is not applied. `title` names the file in messages.
+/// <mask>, <pattern> and <symbol> hold is not). A path may have M L H V C S Q T A Z, absolute or
+/// relative, and one outline; arcs become cubics. Throws DataError, with the place in the path
+/// data, for anything else, also a transform, which is not applied. `title` names the file in
+/// messages.
 SvgOutline readSvg(std::string_view text, const std::string& title);
 
 } // namespace eikonal::shapes

@@ -81,6 +81,37 @@ TEST_F(Revolve, CurvesAreWithinTheirTolerance) {
                 pi / 2 * share(64), pi / 2 * 2e-3);
 }
 
+TEST_F(Revolve, CurvesGoOnSmoothly) {
+    // The same parabola in two halves.
+    for (const char* d : {"M0,0 C.166666666667,0 .333333333333,.083333333333 .5,.25 "
+                          "S.833333333333,.666666666667 1,1 H0",
+                          "M0,0 c.166666666667,0 .333333333333,.083333333333 .5,.25 "
+                          "s.333333333333,.416666666667 .5,.75 H0",
+                          "M0,0 Q.25,0 .5,.25 T1,1 H0", "M0,0 q.25,0 .5,.25 t.5,.75 H0"})
+        EXPECT_NEAR(sound(ofPath(d)).volume, pi / 2 * share(64), pi / 2 * 2e-3) << d;
+    // Behind a line there is nothing to go on from: a quadratic whose handle is its start is
+    // straight.
+    EXPECT_NEAR(sound(ofPath("M0,0 H1 T1,1 H0")).volume, pi * share(64), 1e-12);
+}
+
+TEST_F(Revolve, ArcsAreOfTheirEllipse) {
+    const double ball = 4 * pi / 3 * share(64), ring = 2 * pi * 3 * pi * share(64);
+    // From the top to the bottom; radii that do not reach grow, signs of radii are nothing.
+    for (const char* d : {"M0,0 A1,1 0 0 1 0,2", "M0,2 a1 1 0 000-2", "M0,0 A.2,.2 0 0 1 0,2",
+                          "M0,0 A-1,1 77 1 1 0,2"})
+        EXPECT_NEAR(sound(ofPath(d)).volume, ball, 2e-3 * ball) << d;
+    for (const char* d : {"M0,0 A3,1 0 0 1 0,2", "M0,0 A1,3 90 0 1 0,2", "M0,0 A1,3 -90 0 1 0,2"})
+        EXPECT_NEAR(sound(ofPath(d)).volume, 9 * ball, 2e-3 * 9 * ball) << d;
+    // Halves, then three quarters one way round or the other and the quarter that is left.
+    for (const char* d :
+         {"M2,0 A1,1 0 0 1 4,0 a1 1 0 01-2 0Z", "M3,-1 A1,1 0 1 1 2,0 A1,1 0 0 1 3,-1",
+          "M3,-1 A1,1 0 1 0 4,0 A1,1 0 0 0 3,-1"})
+        EXPECT_NEAR(sound(ofPath(d)).volume, ring, 4e-3 * ring) << d;
+    // Without a radius it is a line, between one point and itself nothing.
+    EXPECT_NEAR(sound(ofPath("M0,0 H1 A0,1 0 0 1 1,2 A1,1 0 0 1 1,2 H0")).volume,
+                2 * pi * share(64), 1e-12);
+}
+
 TEST_F(Revolve, WhatIsNotDrawnIsPassedOver) {
     const auto body = of("<?xml version='1.0'?><!-- <path d='M0 0'/> --><svg><title>a > b</title>"
                          "<defs><g><path d='M9 9L9 9'/></g></defs><g id='x'><circle r='1'/>"
@@ -104,7 +135,9 @@ TEST_F(Revolve, BadProfilesAreRefusedByPlace) {
     refused({"encloses nothing"}, "0,0\n0,1\n");
     refused({"meets itself"}, "0,1\n1,1\n"); // back along the disc that closes it
     refused({"line 3", "axis"}, "1,0\n1,1\n0,1.5\n1,2\n1,3\n");
-    pathRefused({"character 6", "'A'"}, "M0,0 A1,1 0 0 1 2,2");
+    pathRefused({"character 6", "'B'"}, "M0,0 B1,1");
+    pathRefused({"character 13", "'2'", "a flag"}, "M0,0 A1,1 0 2 1 2,2");
+    pathRefused({"the end", "a flag"}, "M0,0 A1,1 0 ");
     pathRefused({"character 1", "'L'", "M first"}, "L0,0");
     pathRefused({"character 7", "'x'", "a number"}, "M0,0 Lx");
     pathRefused({"a second 'M'"}, "M0,0 H1 V1 M2,2");
