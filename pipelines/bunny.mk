@@ -6,7 +6,7 @@
 #   make -f pipelines/bunny.mk SIZE=1280x960                       render alone
 SHELL := /bin/bash
 OUT   ?= out
-LIGHT ?= directional:0.5,-1,-0.15:3.2,3,2.7
+LIGHT ?= directional:0.5,-1,-0.3:3.2,3,2.7
 SIZE  ?= 640x480
 default: picture
 .PHONY: default

@@ -34,9 +34,7 @@ $(STUDIO):
 	  --fill:color=0.035,0.03,0.025 512x40+0+140 --blur 7x7 -d float -o $(@D)/.studio.exr
 	mv $(@D)/.studio.exr $@
 
-# A box, 0.07 high.
+# A slab, 0.07 high, whose edges are as round as its voxels can show.
 $(PLINTH): pipelines/bunny_scene.mk
 	@mkdir -p $(@D)
-	awk 'BEGIN { split("-0.95,-0.56,-0.62,0.95,-0.49,0.62", b, ","); \
-	  for (i = 0; i < 8; ++i) print "v", b[i % 2 * 3 + 1], b[int(i / 2) % 2 * 3 + 2], b[int(i / 4) * 3 + 3]; \
-	  print "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" }' >$@
+	$(BIN)/meshgen box --from=-0.95,-0.56,-0.62 --to 0.95,-0.49,0.62 --bevel 0.03 -o $@

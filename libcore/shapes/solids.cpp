@@ -6,7 +6,10 @@
 #include "base/text.h"
 #include "mesh/triangulate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace eikonal::shapes {
@@ -18,9 +21,81 @@ void BoxParams::check() const {
     for (int axis = 0; axis < 3; ++axis)
         requireOption(high[axis] > low[axis], "--to", toText(high[axis]) + " along " + "XYZ"[axis],
                       "more than " + toText(low[axis]) + ", which --from has there");
+    const glm::dvec3 size = high - low;
+    const double most = 0.5 * std::min({size.x, size.y, size.z});
+    requireOption(bevel >= 0 && bevel < most, "--bevel", toText(bevel),
+                  "0 or more, below half the shortest side, " + toText(most));
+    requireOption(segments >= 2 && segments <= 256 && segments % 2 == 0, "--segments",
+                  std::to_string(segments), "an even number from 2 to 256");
 }
 
+namespace {
+
+/// A box of lattice lines, whose bevels' lines are as far apart in angle: each point of a face lies
+/// in the direction, from the box within that is smaller by the bevel, of its place on the lattice.
+class BevelledBox {
+public:
+    explicit BevelledBox(const BoxParams& params)
+        : mLow(params.low + params.bevel), mHigh(params.high - params.bevel), mBevel(params.bevel),
+          mHalf(params.segments / 2), mLast(2 * mHalf + 1) {}
+
+    TriangleMesh make() {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int end : {0, mLast})
+                for (int i = 0; i < mLast; ++i)
+                    for (int j = 0; j < mLast; ++j) addQuad(axis, end, i, j);
+        return std::move(mBox);
+    }
+
+private:
+    /// Off the box within, as a share of the bevel, along one axis.
+    double offset(int place) const {
+        const int outward = place <= mHalf ? place - mHalf : place - mHalf - 1;
+        return std::tan(pi / 4 * outward / mHalf);
+    }
+    std::uint32_t point(const glm::ivec3& place) {
+        const auto [found, isNew] = mPoints.try_emplace({place.x, place.y, place.z},
+                                                        static_cast<std::uint32_t>(mPoints.size()));
+        if (!isNew) return found->second;
+        glm::dvec3 base, off;
+        for (int axis = 0; axis < 3; ++axis) {
+            base[axis] = place[axis] <= mHalf ? mLow[axis] : mHigh[axis];
+            off[axis] = offset(place[axis]);
+        }
+        mNormals.push_back(glm::normalize(off));
+        mBox.points.push_back(base + mBevel * mNormals.back());
+        return found->second;
+    }
+    void addQuad(int axis, int end, int i, int j) {
+        std::array<std::uint32_t, 4> corners{};
+        for (int k = 0; k < 4; ++k) {
+            glm::ivec3 place;
+            place[axis] = end;
+            place[(axis + 1) % 3] = i + (k == 1 || k == 2);
+            place[(axis + 2) % 3] = j + (k >= 2);
+            corners[static_cast<size_t>(k)] = point(place);
+        }
+        if (end == 0) std::swap(corners[1], corners[3]);
+        for (const auto& [b, c] : {std::pair{1u, 2u}, {2u, 3u}}) {
+            mBox.triangles.emplace_back(corners[0], corners[b], corners[c]);
+            mBox.normals.push_back({glm::vec3(mNormals[corners[0]]),
+                                    glm::vec3(mNormals[corners[b]]),
+                                    glm::vec3(mNormals[corners[c]])});
+        }
+    }
+
+    glm::dvec3 mLow, mHigh;
+    double mBevel;
+    int mHalf, mLast; ///< lines of half a bevel, and the last line's number
+    std::map<std::array<int, 3>, std::uint32_t> mPoints;
+    std::vector<glm::dvec3> mNormals;
+    TriangleMesh mBox;
+};
+
+} // namespace
+
 TriangleMesh makeBox(const BoxParams& params) {
+    if (params.bevel > 0) return BevelledBox(params).make();
     TriangleMesh box;
     for (unsigned corner = 0; corner < 8; ++corner)
         box.points.emplace_back((corner & 1 ? params.high : params.low).x,

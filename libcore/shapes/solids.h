@@ -10,9 +10,12 @@ namespace eikonal::shapes {
 
 struct BoxParams {
     glm::dvec3 low{-0.5}, high{0.5}; ///< two opposite corners [unit]
+    double bevel = 0;                ///< radius of the edges and corners [unit]
+    int segments = 8;                ///< of a quarter of a turn, where there is a bevel; even
     /// Throws UsageError.
     void check() const;
 };
+/// With a bevel it has the rounded surface's normals.
 mesh::TriangleMesh makeBox(const BoxParams& params);
 
 struct SphereParams {

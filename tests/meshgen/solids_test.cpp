@@ -21,6 +21,35 @@ TEST(Solids, ABox) {
     expectError(ExitStatus::usage, {"--to", "Y"}, [] { BoxParams{{0, 0, 0}, {1, 0, 1}}.check(); });
 }
 
+TEST(Solids, ABoxWithABevel) {
+    const glm::dvec3 low(-1, 0, 2), high(1, 3, 2.9);
+    const double r = 0.2;
+    const auto box = makeBox({low, high, r, 32});
+    // Steiner: the smaller box, slabs on its faces, quarters of cylinders, a ball.
+    const glm::dvec3 s = high - low - 2 * r;
+    const double whole = s.x * s.y * s.z + 2 * r * (s.x * s.y + s.y * s.z + s.z * s.x) +
+                         pi * r * r * (s.x + s.y + s.z) + 4 * pi / 3 * r * r * r;
+    EXPECT_NEAR(sound(box).volume, whole, 1e-4 * whole);
+    EXPECT_EQ(eulerCharacteristic(box), 2);
+    EXPECT_EQ(mesh::boundingBox(box).min, low);
+    EXPECT_EQ(mesh::boundingBox(box).max, high);
+    // Each point is the bevel away from the smaller box, along its normal.
+    for (size_t f = 0; f < box.triangles.size(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 p = box.points[box.triangles[f][k]];
+            const glm::dvec3 off = p - glm::clamp(p, low + r, high - r);
+            EXPECT_NEAR(glm::length(off), r, 1e-14);
+            EXPECT_LT(glm::distance(off / r, glm::dvec3(box.normals[f][static_cast<size_t>(k)])),
+                      1e-6);
+        }
+    expectError(ExitStatus::usage, {"--bevel", "0.45"}, [&] {
+        BoxParams{low, high, 0.45}.check();
+    });
+    expectError(ExitStatus::usage, {"--segments", "3"}, [&] {
+        BoxParams{low, high, 0.1, 3}.check();
+    });
+}
+
 TEST(Solids, ASphereWithItsPointsOnIt) {
     const auto sphere = makeSphere({0.5, 128});
     for (const glm::dvec3& p : sphere.points) EXPECT_NEAR(glm::length(p), 0.5, 1e-15);

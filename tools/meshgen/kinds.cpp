@@ -147,6 +147,8 @@ Kind addBox(CLI::App& app) {
                              "--from=-2,-0.1,-2 --to 2,0,2 -o table.obj");
     tool::addVector(*c, "--from", p->low, "a corner [unit] (default -0.5,-0.5,-0.5)");
     tool::addVector(*c, "--to", p->high, "the opposite corner [unit] (default 0.5,0.5,0.5)");
+    add(c, "--bevel", p->bevel, "UNITS", "radius of its edges and corners [unit]");
+    add(c, "--segments", p->segments, "N", "of a bevel, a quarter of a turn; even");
     return plain(c, p, shapes::makeBox);
 }
 
