@@ -44,13 +44,13 @@ Triangles& Triangles::operator=(Triangles&& other) noexcept {
     return *this;
 }
 
-void Triangles::draw() const {
-    if (mIndexCount == 0) return;
+void Triangles::draw(const Part& part) const {
+    if (part.count == 0) return;
     glBindVertexArray(mName);
     // Bounded pieces, since a draw counts its indices in 32 bits.
-    const std::int64_t piece = 3 * (std::int64_t{1} << 26);
-    for (std::int64_t first = 0; first < mIndexCount; first += piece)
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(std::min(piece, mIndexCount - first)),
+    const std::int64_t piece = 3 * (std::int64_t{1} << 26), end = 3 * (part.first + part.count);
+    for (std::int64_t first = 3 * part.first; first < end; first += piece)
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(std::min(piece, end - first)),
                        GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * 4));
     glBindVertexArray(0);
 }
@@ -113,16 +113,12 @@ void Layers::clear(int layer) {
                        nullptr);
 }
 
-void Layers::makeLevels() {
-    glGenerateTextureMipmap(mName);
-}
-
 void Layers::bindSampler(unsigned unit) const {
     glBindTextureUnit(unit, mName);
 }
 
-void Layers::bindImage(unsigned unit) const {
-    glBindImageTexture(unit, mName, 0, GL_TRUE, 0, GL_READ_WRITE, internalOf(mFormat));
+void Layers::bindImage(unsigned unit, int level) const {
+    glBindImageTexture(unit, mName, level, GL_TRUE, 0, GL_READ_WRITE, internalOf(mFormat));
 }
 
 void Layers::download(void* data, std::int64_t bytes) const {
@@ -186,7 +182,8 @@ void Canvas::begin(const std::vector<Target>& targets, bool furthest) {
     glBeginQuery(GL_ANY_SAMPLES_PASSED, mQuery);
 }
 
-void Canvas::draw(const Program& program, const Triangles& triangles, Faces faces) {
+void Canvas::draw(const Program& program, const Triangles& triangles, Faces faces,
+                  const Triangles::Part& part) {
     if (faces == Faces::both) {
         glDisable(GL_CULL_FACE);
     } else {
@@ -194,7 +191,7 @@ void Canvas::draw(const Program& program, const Triangles& triangles, Faces face
         glCullFace(faces == Faces::front ? GL_BACK : GL_FRONT);
     }
     program.use();
-    triangles.draw();
+    triangles.draw(part);
 }
 
 bool Canvas::end(bool ask) {
@@ -212,18 +209,28 @@ bool Canvas::end(bool ask) {
     return any != 0;
 }
 
-void addOverall(const Program& program, const Texture& target) {
+void Canvas::addWhere(bool covered, const Program& program, const Texture& target) const {
     GLuint framebuffer = 0, vertexArray = 0;
     glCreateFramebuffers(1, &framebuffer);
     glCreateVertexArrays(1, &vertexArray);
     glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target.name(), 0);
+    glNamedFramebufferRenderbuffer(framebuffer, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, mDepth);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, target.size().x, target.size().y);
+    glViewport(0, 0, mWidth, mHeight);
     glBindVertexArray(vertexArray);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
+    // Bare is what depth was cleared to, 0.
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthRange(0, 0);
+    glDepthFunc(covered ? GL_LESS : GL_EQUAL);
     program.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDepthRange(0, 1);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteVertexArrays(1, &vertexArray);

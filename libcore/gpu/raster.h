@@ -23,9 +23,12 @@ public:
     Triangles(Triangles&& other) noexcept;
     Triangles& operator=(Triangles&& other) noexcept;
 
-    void draw() const;
-    /// Of the list of triangles, in their order.
-    std::int64_t count() const { return mIndexCount / 3; }
+    /// Some of them, in the list's order.
+    struct Part {
+        std::int64_t first, count;
+    };
+    void draw(const Part& part) const;
+    Part all() const { return {0, mIndexCount / 3}; }
 
 private:
     unsigned mName = 0;
@@ -44,9 +47,8 @@ public:
     Layers& operator=(Layers&& other) noexcept;
 
     void clear(int layer); ///< its finest level, to zero
-    void makeLevels();     ///< all coarser ones, from the finest
     void bindSampler(unsigned unit) const;
-    void bindImage(unsigned unit) const; ///< its finest level, for reading and writing
+    void bindImage(unsigned unit, int level = 0) const; ///< one level, for reading and writing
     /// The finest level, layer by layer.
     void download(void* data, std::int64_t bytes) const;
     unsigned name() const { return mName; }
@@ -83,17 +85,18 @@ public:
     };
     /// Clears depth; attachment k of the fragment shader is the k-th target.
     void begin(const std::vector<Target>& targets, bool furthest);
-    void draw(const Program& program, const Triangles& triangles, Faces faces);
+    void draw(const Program& program, const Triangles& triangles, Faces faces,
+              const Triangles::Part& part);
     /// Whether a fragment was kept since begin(); waits for the device.
     bool end(bool ask);
+    /// Runs a fragment program, whose vertex program makes one triangle of gl_VertexID 0 to 2, for
+    /// each pixel of a 2-D texture that the last triangles drawn here, the nearest, cover or leave
+    /// bare, and adds what it gives.
+    void addWhere(bool covered, const Program& program, const Texture& target) const;
 
 private:
     unsigned mName = 0, mDepth = 0, mQuery = 0;
     int mWidth = 0, mHeight = 0;
 };
-
-/// Runs the fragment program, whose vertex program makes one triangle of gl_VertexID 0 to 2, once
-/// for each pixel of a 2-D texture, to which it adds what it gives.
-void addOverall(const Program& program, const Texture& target);
 
 } // namespace eikonal::gpu

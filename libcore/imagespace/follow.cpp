@@ -48,7 +48,7 @@ int Follower::peel(gpu::Canvas& canvas, const gpu::Program& program, const gpu::
         std::vector<gpu::Canvas::Target> targets{{&layers, layer}};
         if (beside) targets.push_back({beside, layer});
         canvas.begin(targets, false);
-        canvas.draw(program, *drawn.triangles, gpu::Faces::both);
+        canvas.draw(program, *drawn.triangles, gpu::Faces::both, drawn.triangles->all());
         if (!canvas.end(true)) return layer;
     }
     return most;

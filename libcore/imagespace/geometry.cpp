@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <utility>
 
 namespace eikonal::imagespace {
 
@@ -59,6 +61,14 @@ Geometry emptyIn(const mesh::Box& box, int extra) {
     return geometry;
 }
 
+/// Puts two zeros before each of the ten low bits.
+std::uint32_t spread(std::uint32_t bits) {
+    bits = (bits | bits << 16) & 0x030000FFu;
+    bits = (bits | bits << 8) & 0x0300F00Fu;
+    bits = (bits | bits << 4) & 0x030C30C3u;
+    return (bits | bits << 2) & 0x09249249u;
+}
+
 /// `extraOf(out, point)` writes what a vertex has beside place and normal.
 void add(Geometry& geometry, const mesh::TriangleMesh& mesh, const auto& extraOf) {
     geometry.vertices.reserve(geometry.vertices.size() +
@@ -104,6 +114,74 @@ Geometry geometryOf(const std::vector<Plate>& plates) {
             out.insert(out.end(), {albedo.x, albedo.y, albedo.z});
         });
     return geometry;
+}
+
+std::vector<std::uint32_t> nearbyOrder(const Geometry& geometry) {
+    const auto floats = static_cast<size_t>(6 + geometry.extra);
+    const auto radius = static_cast<float>(geometry.radius);
+    const auto place = [&](std::uint32_t vertex) {
+        const float* x = &geometry.vertices[vertex * floats];
+        return vec3(x[0], x[1], x[2]);
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> keys(geometry.indices.size() / 3);
+    for (std::uint32_t t = 0; t < keys.size(); ++t) {
+        const std::uint32_t* corner = &geometry.indices[3 * size_t{t}];
+        const vec3 middle = (place(corner[0]) + place(corner[1]) + place(corner[2])) / 3.0f;
+        const glm::uvec3 cell(glm::clamp(512.0f * (middle / radius + 1.0f), 0.0f, 1023.0f));
+        keys[t] = {spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2, t};
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> order(keys.size());
+    for (size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].second;
+    return order;
+}
+
+void reorder(Geometry& geometry, std::span<const std::uint32_t> order) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(geometry.indices.size());
+    for (const std::uint32_t t : order) {
+        const std::uint32_t* corner = &geometry.indices[3 * size_t{t}];
+        indices.insert(indices.end(), corner, corner + 3);
+    }
+    geometry.indices = std::move(indices);
+}
+
+Sides sortBySide(Geometry& geometry, const camera::Camera& camera) {
+    const glm::mat4 toCamera = cameraFromBody(camera, geometry);
+    const float window = camera.parallel
+                             ? static_cast<float>(0.5 * camera.height)
+                             : static_cast<float>(std::tan(glm::radians(0.5 * camera.fov)));
+    const float scale = 0.5f * static_cast<float>(camera.rows) / window; // [pixel]
+    const float nearest = camera.parallel ? -std::numeric_limits<float>::max()
+                                          : static_cast<float>(1e-3 * geometry.radius);
+    const auto floats = static_cast<size_t>(6 + geometry.extra);
+    std::vector<vec3> seen(geometry.vertices.size() /
+                           floats); // on the picture, y up, and the depth
+    for (size_t i = 0; i < seen.size(); ++i) {
+        const float* place = &geometry.vertices[i * floats];
+        const vec3 x(toCamera * glm::vec4(place[0], place[1], place[2], 1));
+        seen[i] = vec3(glm::vec2(x) * (scale / (camera.parallel ? 1 : x.z)), x.z);
+    }
+    std::vector<std::uint32_t> front, either, back;
+    for (size_t k = 0; k < geometry.indices.size(); k += 3) {
+        const std::uint32_t* corner = &geometry.indices[k];
+        const vec3 &a = seen[corner[0]], &b = seen[corner[1]], &c = seen[corner[2]];
+        const glm::vec2 ab = b - a, ac = c - a;
+        const float area = ab.x * ac.y - ab.y * ac.x;
+        // Devices snap corners to a share of a pixel, 1/16 at most.
+        const float unsure =
+            0.25f * (std::abs(ab.x) + std::abs(ab.y) + std::abs(ac.x) + std::abs(ac.y)) + 0.02f;
+        const bool tells = std::min({a.z, b.z, c.z}) > nearest && std::abs(area) > unsure;
+        auto& list = !tells ? either : area > 0 ? front : back;
+        list.insert(list.end(), corner, corner + 3);
+    }
+    const auto count = [](const auto& list) { return static_cast<std::int64_t>(list.size() / 3); };
+    const Sides sides{{0, count(front) + count(either)},
+                      {count(front), count(either) + count(back)}};
+    geometry.indices = std::move(front);
+    geometry.indices.insert(geometry.indices.end(), either.begin(), either.end());
+    geometry.indices.insert(geometry.indices.end(), back.begin(), back.end());
+    return sides;
 }
 
 gpu::Triangles trianglesOf(gpu::Device& device, const Geometry& geometry) {

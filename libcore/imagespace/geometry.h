@@ -4,7 +4,6 @@
 
 #include "gpu/raster.h"
 #include "imagespace/params.h"
-#include "imagespace/shared.h"
 
 #include <span>
 #include <vector>
@@ -26,6 +25,23 @@ Geometry geometryOf(const Body& body);
 
 /// All of them in one; a vertex has its plate's albedo, three further floats.
 Geometry geometryOf(const std::vector<Plate>& plates);
+
+/// A geometry's triangles along a curve that fills its box (Morton 1966): devices work out a vertex
+/// anew where the triangles that share it are far apart in the list.
+std::vector<std::uint32_t> nearbyOrder(const Geometry& geometry);
+
+/// Puts its triangles in that order.
+void reorder(Geometry& geometry, std::span<const std::uint32_t> order);
+
+/// Which of a geometry's triangles may be seen from their front, and which from behind.
+struct Sides {
+    gpu::Triangles::Part front, back;
+};
+
+/// Puts the triangles that a camera surely sees from their front first, and those that it surely
+/// sees from behind last; each stay in their order. Both parts hold what is too near to edge-on to
+/// tell from here.
+Sides sortBySide(Geometry& geometry, const camera::Camera& camera);
 
 gpu::Triangles trianglesOf(gpu::Device& device, const Geometry& geometry);
 

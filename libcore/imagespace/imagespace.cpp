@@ -84,13 +84,16 @@ struct Renderer::Impl {
     Stats& stats;
     gpu::Profiler profiler;
     gpu::Texture map;
-    gpu::Program surface, range, refract;
+    gpu::Program surface, level, range, refract, bare;
     gpu::Layers fronts, backs, distances, paths;
     gpu::Canvas canvas;
     gpu::Texture colours;
     gpu::Buffer block, depthRange;
     std::optional<image::Image> around;
     Geometry geometry, plateGeometry;
+    std::vector<std::uint32_t> ordered,
+        order;     ///< indices of a body, and how its triangles are drawn
+    Sides sides{}; ///< of the body, but where layers are kept
     gpu::Triangles triangles, plateTriangles;
     std::optional<Follower> follower;
     ImageSpaceParams values{};
@@ -119,12 +122,15 @@ struct Renderer::Impl {
         const bool isr = params.method == Method::isr;
         surface = gpu::Program(device, "imagespace/surface.vert.glsl",
                                "imagespace/surface.frag.glsl", {{"PEELS", 0}, {"EXTRA", isr}});
+        level = gpu::Program(device, "imagespace/level.comp.glsl", {});
         range = gpu::Program(device, "imagespace/range.comp.glsl", {});
         refract =
             gpu::Program(device, "imagespace/overall.vert.glsl", "imagespace/refract.frag.glsl",
                          {{"METHOD", methodNumber(params.method)},
                           {"MAP", around.has_value()},
                           {"AOVS", wantsPaths(params)}});
+        bare = gpu::Program(device, "imagespace/overall.vert.glsl", "imagespace/bare.frag.glsl",
+                            {{"MAP", around.has_value()}, {"AOVS", wantsPaths(params)}});
         profiler.end();
 
         const int width = camera.width, rows = camera.rows;
@@ -189,37 +195,40 @@ struct Renderer::Impl {
         block.bindUniform(kParamsBlock);
     }
 
-    /// The back faces that are furthest, and between which depths they lie.
-    void drawBacks() {
-        profiler.begin("back faces");
-        std::vector<gpu::Canvas::Target> targets{{&backs, 0}};
+    /// The faces of one side, of each pixel the back face that is furthest or the front face that
+    /// is nearest.
+    void drawSide(bool back) {
+        profiler.begin(back ? "back faces" : "front faces");
+        std::vector<gpu::Canvas::Target> targets{{back ? &backs : &fronts, 0}};
         if (params.method == Method::isr) targets.push_back({&distances, 0});
-        canvas.begin(targets, true);
-        canvas.draw(surface, triangles, gpu::Faces::back);
+        canvas.begin(targets, back);
+        canvas.draw(surface, triangles, back ? gpu::Faces::back : gpu::Faces::front,
+                    back ? sides.back : sides.front);
         canvas.end(false);
         profiler.end();
+    }
+
+    /// Coarser levels of the back faces, and between which depths they lie.
+    void summarizeBacks() {
         profiler.begin("mip levels");
-        backs.makeLevels();
+        backs.bindSampler(kBacksUnit);
+        for (int k = 1; k < kLevels; ++k) {
+            values.picture.w = k;
+            upload();
+            backs.bindImage(kLevelImage, k);
+            level.dispatch(
+                {std::max(params.camera.width >> k, 1), std::max(params.camera.rows >> k, 1), 1});
+            gpu::barrier();
+        }
         profiler.end();
         if (params.method != Method::dir) return;
         profiler.begin("depth range");
         const std::array<std::uint32_t, 2> none{~std::uint32_t{0} >> 1, 0};
         depthRange.upload(none.data(), sizeof none);
         depthRange.bindStorage(kDepthRangeBuffer);
-        backs.bindSampler(kBacksUnit);
         const int runs = (params.camera.width + 31) / 32;
         range.dispatch({runs * params.camera.rows, 1, 1});
         gpu::barrier();
-        profiler.end();
-    }
-
-    void drawFronts() {
-        profiler.begin("front faces");
-        std::vector<gpu::Canvas::Target> targets{{&fronts, 0}};
-        if (params.method == Method::isr) targets.push_back({&distances, 0});
-        canvas.begin(targets, false);
-        canvas.draw(surface, triangles, gpu::Faces::front);
-        canvas.end(false);
         profiler.end();
     }
 
@@ -232,8 +241,11 @@ struct Renderer::Impl {
     void drawTwoInterfaces() {
         values.cameraFromBody = cameraFromBody(params.camera, geometry);
         upload();
-        if (params.method != Method::sir) drawBacks();
-        drawFronts();
+        // What is drawn on a software device's other threads need not be waited for until it is
+        // read.
+        if (params.method != Method::sir) drawSide(true);
+        drawSide(false);
+        if (params.method != Method::sir) summarizeBacks();
         drawRays();
     }
 
@@ -254,7 +266,8 @@ struct Renderer::Impl {
         if (params.method != Method::sir) backs.bindSampler(kBacksUnit);
         if (params.method == Method::isr) distances.bindSampler(kDistancesUnit2d);
         depthRange.bindStorage(kDepthRangeBuffer);
-        gpu::addOverall(refract, colours);
+        canvas.addWhere(true, refract, colours);
+        canvas.addWhere(false, bare, colours);
         gpu::barrier();
         profiler.end();
     }
@@ -285,6 +298,12 @@ void Renderer::setScene(const Body& body, const std::vector<Plate>& plates) {
         throw InternalError("isr: not a distance for each point");
     my.profiler.begin("upload");
     my.geometry = geometryOf(body);
+    if (my.ordered != my.geometry.indices) { // a mesh that deforms keeps its own
+        my.ordered = my.geometry.indices;
+        my.order = nearbyOrder(my.geometry);
+    }
+    reorder(my.geometry, my.order);
+    if (my.params.layers == 0) my.sides = sortBySide(my.geometry, my.params.camera);
     my.triangles = trianglesOf(my.device, my.geometry);
     my.plateGeometry = plates.empty() ? Geometry{} : geometryOf(plates);
     if (!plates.empty()) my.plateTriangles = trianglesOf(my.device, my.plateGeometry);

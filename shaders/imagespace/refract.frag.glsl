@@ -29,6 +29,7 @@ layout(std430, binding = kDepthRangeBuffer) readonly buffer Range { uint least; 
 #include "imagespace/view.glsl"
 #include "imagespace/paths.glsl"
 
+layout(early_fragment_tests) in; // or paths would be written of all pixels
 layout(location = 0) out vec4 colour; // of the pixel, to which it is added
 
 // Where a ray leaves, as far as image space tells.
@@ -106,7 +107,7 @@ void main() {
     vec2 own = vec2(pixel) + 0.5;
     vec3 view = directionThrough(vec2(pixel));
     vec4 front = texelFetch(fronts, ivec3(pixel, 0), 0);
-    bool hit = front.w != 0.0;
+    bool hit = front.w != 0.0; // or only neighbours are, who want to know where this pixel's ray leaves
     vec3 start = pointAt(vec2(pixel), front.w);
     float n = params.optics.x;
     Dielectric first = dielectricAt(view, front.xyz, 1.0, n);
@@ -115,34 +116,26 @@ void main() {
     if (hit && METHOD == kDir) found = search(start, direction, own);
     if (hit && METHOD == kIsr) found = guess(start, direction, view, front.xyz, own);
     float level = METHOD == kSir ? 0.0 : levelOf(found.texel, start, front.xyz);
-    SurfacePath path = freePath(pointAt(vec2(pixel), 0.0), view);
-    vec3 leaves = view;
-    vec3 kept = vec3(1.0);
-    float reflected = 0.0;
-    if (hit) {
-        leaves = direction;
-        reflected = first.reflectance;
-        float through = 1.0 - reflected;
-        if (METHOD != kSir) {
-            vec3 normal = textureLod(backs, vec3(found.texel / vec2(params.picture.xy), 0.0), level).xyz;
-            if (dot(normal, normal) < 1.0e-6) normal = direction;
-            Dielectric second = dielectricAt(n * direction, normalize(normal), n, 1.0);
-            leaves = normalize(second.refracted);
-            through *= 1.0 - (second.reflectance < 1.0 ? second.reflectance : 0.0);
-        }
-        if (reflected == 1.0) { // into a lower index, past the critical angle
-            leaves = normalize(first.reflected);
-            through = 1.0;
-            found.x = start;
-        }
-        float extent = length(found.x - start);
-        kept = exp(-params.absorption.xyz * extent);
-        path = SurfacePath(vec4(found.x, n * extent), vec4(leaves, extent), vec4(through * kept, float(found.probes)),
-                           vec4(0.0, 0.0, 0.0, 1.0));
+    vec3 leaves = direction;
+    float reflected = first.reflectance;
+    float through = 1.0 - reflected;
+    if (METHOD != kSir) {
+        vec3 normal = textureLod(backs, vec3(found.texel / vec2(params.picture.xy), 0.0), level).xyz;
+        if (dot(normal, normal) < 1.0e-6) normal = direction;
+        Dielectric second = dielectricAt(n * direction, normalize(normal), n, 1.0);
+        leaves = normalize(second.refracted);
+        through *= 1.0 - (second.reflectance < 1.0 ? second.reflectance : 0.0);
     }
-    // One look-up for all pixels, and another for those that reflect.
-    vec3 light = (1.0 - reflected) * kept * surroundingsLight(leaves);
-    if (hit) light += reflected * surroundingsLight(normalize(first.reflected));
-    colour = params.pattern.z * vec4(light, hit ? 1.0 : 0.0);
-    recordPath(pixel, path);
+    if (reflected == 1.0) { // into a lower index, past the critical angle
+        leaves = normalize(first.reflected);
+        through = 1.0;
+        found.x = start;
+    }
+    float extent = length(found.x - start);
+    vec3 kept = exp(-params.absorption.xyz * extent);
+    recordPath(pixel, SurfacePath(vec4(found.x, n * extent), vec4(leaves, extent),
+                                  vec4(through * kept, float(found.probes)), vec4(0.0, 0.0, 0.0, 1.0)));
+    vec3 light = (1.0 - reflected) * kept * surroundingsLight(leaves) +
+                 reflected * surroundingsLight(normalize(first.reflected));
+    colour = params.pattern.z * vec4(light, 1.0);
 }

@@ -35,10 +35,10 @@ struct Model {
 };
 const Model kModels[] = {{"armadillo", 0, {0.2, 0.2, -1}},
                          {"bunny00", 0, {0.3, 0.3, 1}},
-                         {"refined_elephant", 0, {1, 0.3, 0.6}},
+                         {"camel", 1, {1, 0.3, 0.5}},
                          {"bear", 1, {0.5, 0.3, 1}},
                          {"man", 1, {0.3, 0.2, 1}},
-                         {"camel", 2, {1, 0.3, 0.5}}};
+                         {"refined_elephant", 1, {1, 0.3, 0.6}}};
 
 /// Each triangle in four, along curves that bend with the normals.
 mesh::TriangleMesh subdivided(mesh::TriangleMesh mesh) {
