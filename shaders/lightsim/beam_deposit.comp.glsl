@@ -153,18 +153,40 @@ Light lightAt(BeamPoint point, float share) {
     return lightOf(share * point.weight.xyz, kFlow ? directionOf(point) : vec3(0.0), params.map.yzw);
 }
 
-uint putPoint(BeamPoint point, float share, inout float phase) {
-    if (point.event.x != uint(kStopped)) return 0u;
-    put(fineVoxelAt(point.place.xyz), axisOf(point.wave.xyz), lightAt(point, share), phase);
-    return 1u;
+// What a cell is laid down as: points that stand for themselves, or a triangle or two of one light.
+// Gathered first: whatever lays one down is compiled once for each place that it is called from.
+struct Pieces {
+    int points;
+    uvec4 point;
+    float share;   // of each point
+    int triangles; // abc, and acd
+    vec3 a, b, c, d;
+    int axis;
+    Light light;   // of each triangle
+};
+
+Pieces noPieces() {
+    return Pieces(0, uvec4(0u), 0.0, 0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0, Light(vec3(0.0), vec3(0.0)));
+}
+
+Pieces onePoint(uint point, float share) {
+    Pieces pieces = noPieces();
+    pieces.points = 1;
+    pieces.point.x = point;
+    pieces.share = share;
+    return pieces;
 }
 
 // A quarter of a cell that is no beam: those of its four points that landed on the same surface span a
 // triangle or two, others stand for themselves.
-uint putQuarter(BeamNode node, ivec2 quarter, float unit, inout float phase) {
+Pieces quarterOf(BeamNode node, ivec2 quarter, float unit) {
     int first = 3 * quarter.y + quarter.x;
-    BeamPoint corner[4] = BeamPoint[4](points[pointOf(node, first)], points[pointOf(node, first + 1)],
-                                       points[pointOf(node, first + 4)], points[pointOf(node, first + 3)]);
+    uvec4 ids = uvec4(pointOf(node, first), pointOf(node, first + 1), pointOf(node, first + 4), pointOf(node, first + 3));
+    BeamPoint corner[4] = BeamPoint[4](points[ids.x], points[ids.y], points[ids.z], points[ids.w]);
+    Pieces pieces = noPieces();
+    pieces.points = 4;
+    pieces.point = ids;
+    pieces.share = 0.0625 * unit;
     uint met = 0u;
     int landed = 0;
     bool same = true;
@@ -175,35 +197,32 @@ uint putQuarter(BeamNode node, ivec2 quarter, float unit, inout float phase) {
         else if (landed++ == 0) met = corner[i].event.y;
         else same = same && corner[i].event.y == met;
     }
-    float share = 0.0625 * unit; // of each point
-    uint deposits = 0u;
-    if (landed < 3 || !same) {
-        for (int i = 0; i < 4; ++i) deposits += putPoint(corner[i], share, phase);
-        return deposits;
-    }
+    if (landed < 3 || !same) return pieces;
     int a = landed == 4 ? 0 : (missing + 1) & 3;
-    float fine = float(surface.size.w);
-    int axis = axisOf(corner[a].wave.xyz);
+    pieces.points = 0;
+    pieces.triangles = landed - 2;
+    pieces.axis = axisOf(corner[a].wave.xyz);
     vec3 at[4];
-    Light light = Light(vec3(0.0), vec3(0.0));
     for (int i = 0; i < 4; ++i) {
-        at[i] = turnedTo(axis, (corner[i].place.xyz + 0.5) * fine);
+        at[i] = turnedTo(pieces.axis, (corner[i].place.xyz + 0.5) * float(surface.size.w));
         if (corner[i].event.x != uint(kStopped)) continue;
-        Light more = lightAt(corner[i], share);
-        light.power += more.power;
-        light.flow += more.flow;
+        Light more = lightAt(corner[i], pieces.share);
+        pieces.light.power += more.power;
+        pieces.light.flow += more.flow;
     }
-    int b = (a + 1) & 3;
-    int c = (a + 2) & 3;
-    int d = (a + 3) & 3;
-    if (landed == 3) return putTriangle(at[a], at[b], at[c], axis, light, phase);
-    return putTriangle(at[a], at[b], at[c], axis, scaled(light, 0.5), phase) +
-           putTriangle(at[a], at[c], at[d], axis, scaled(light, 0.5), phase);
+    pieces.light = scaled(pieces.light, 1.0 / float(pieces.triangles));
+    pieces.a = at[a];
+    pieces.b = at[(a + 1) & 3];
+    pieces.c = at[(a + 2) & 3];
+    pieces.d = at[(a + 3) & 3];
+    return pieces;
 }
 
 // A cell of a beam, one of `count` along its sides.
-uint putCell(BeamNode node, ivec2 cell, ivec2 count, float unit, inout float phase) {
-    int axis = axisOf(points[node.second.x].wave.xyz);
+Pieces cellOf(BeamNode node, ivec2 cell, ivec2 count, float unit) {
+    Pieces pieces = noPieces();
+    pieces.triangles = 2;
+    pieces.axis = axisOf(points[node.second.x].wave.xyz);
     float fine = float(surface.size.w);
     vec3 place[9]; // [fine voxel]
     vec3 weight[9];
@@ -212,7 +231,7 @@ uint putCell(BeamNode node, ivec2 cell, ivec2 count, float unit, inout float pha
 #endif
     for (int i = 0; i < 9; ++i) {
         BeamPoint point = points[pointOf(node, i)];
-        place[i] = turnedTo(axis, (point.place.xyz + 0.5) * fine);
+        place[i] = turnedTo(pieces.axis, (point.place.xyz + 0.5) * fine);
         weight[i] = point.weight.xyz;
 #if SURFACE_FLOW == 1
         travel[i] = directionOf(point);
@@ -220,17 +239,31 @@ uint putCell(BeamNode node, ivec2 cell, ivec2 count, float unit, inout float pha
     }
     vec2 size = 1.0 / vec2(count);
     vec2 at = vec2(cell) * size;
-    vec3 a = valueIn(place, at);
-    vec3 b = valueIn(place, at + vec2(size.x, 0.0));
-    vec3 c = valueIn(place, at + size);
-    vec3 d = valueIn(place, at + vec2(0.0, size.y));
+    pieces.a = valueIn(place, at);
+    pieces.b = valueIn(place, at + vec2(size.x, 0.0));
+    pieces.c = valueIn(place, at + size);
+    pieces.d = valueIn(place, at + vec2(0.0, size.y));
     vec3 power = 0.5 * unit * size.x * size.y * max(valueIn(weight, at + 0.5 * size), vec3(0.0));
 #if SURFACE_FLOW == 1
-    Light light = lightOf(power, normalize(valueIn(travel, at + 0.5 * size)), params.map.yzw);
+    pieces.light = lightOf(power, normalize(valueIn(travel, at + 0.5 * size)), params.map.yzw);
 #else
-    Light light = Light(power, vec3(0.0));
+    pieces.light = Light(power, vec3(0.0));
 #endif
-    return putTriangle(a, b, c, axis, light, phase) + putTriangle(a, c, d, axis, light, phase);
+    return pieces;
+}
+
+uint lay(Pieces pieces, inout float phase) {
+    uint deposits = 0u;
+    for (int i = 0; i < pieces.points; ++i) {
+        BeamPoint point = points[pieces.point[i]];
+        if (point.event.x != uint(kStopped)) continue;
+        put(fineVoxelAt(point.place.xyz), axisOf(point.wave.xyz), lightAt(point, pieces.share), phase);
+        ++deposits;
+    }
+    for (int i = 0; i < pieces.triangles; ++i)
+        deposits += putTriangle(pieces.a, i == 0 ? pieces.b : pieces.c, i == 0 ? pieces.c : pieces.d, pieces.axis,
+                                pieces.light, phase);
+    return deposits;
 }
 
 void main() {
@@ -245,10 +278,10 @@ void main() {
     uint which = uint(16 * part.y + part.x);
     uint place = pcgHash(uint(node.place.y) ^ pcgHash(256u * params.generation.z + which));
     float phase = uniformOf(pcgHash(uint(node.place.x) ^ place));
-    uint deposits = 0u;
-    if (task.x < 0x80000000u) deposits = putCell(node, part.xy, part.zw, unit, phase);
+    Pieces pieces;
+    if (task.x < 0x80000000u) pieces = cellOf(node, part.xy, part.zw, unit);
     else if (node.state.x == 1u) // it came so from the interface before, and its middle is all there is
-        deposits = putPoint(points[node.second.x], unit * uintBitsToFloat(node.state.z), phase);
-    else deposits = putQuarter(node, part.xy, unit, phase);
-    atomicAdd(counts[kDepositCount], deposits);
+        pieces = onePoint(node.second.x, unit * uintBitsToFloat(node.state.z));
+    else pieces = quarterOf(node, part.xy, unit);
+    atomicAdd(counts[kDepositCount], lay(pieces, phase));
 }

@@ -32,11 +32,9 @@ Light scaled(Light light, float share) {
 // Adds light to the surface voxel there, or the next along a step. Returns the largest sum that it was added
 // to, or kMissedSurface.
 uint putOnSurface(ivec3 fine, ivec3 along, Light light, inout float phase) {
-    int number = surfaceVoxelOf(fine);
-    for (int step = 1; step <= 2 && number < 0; ++step) {
-        number = surfaceVoxelOf(fine + step * along);
-        if (number < 0) number = surfaceVoxelOf(fine - step * along);
-    }
+    int number = -1;
+    for (int k = 0; k < 5 && number < 0; ++k) // 0, 1, −1, 2, −2
+        number = surfaceVoxelOf(fine + ((k & 1) == 1 ? 1 : -1) * ((k + 1) >> 1) * along);
     // Rounded up as often as the fraction says: nothing is gained or lost on average.
     phase = fract(phase + 0.61803399);
     if (number < 0) return kMissedSurface;
