@@ -1,4 +1,4 @@
-# What matter may be: frosted glass, a metal ring and its caustic, four things side by side.
+# What matter may be: frosted glass, a metal ring and its caustic, coats, four things side by side.
 #   make -f pipelines/matter.mk [BIN=build/bin] [OUT=out] [SAMPLES=16]
 # SPDX-License-Identifier: GPL-3.0-or-later
 BIN     ?= build/bin
@@ -9,7 +9,7 @@ MESHGEN := $(BIN)/meshgen
 SUN     := --light directional:0.5,-1,-0.35:3
 .DELETE_ON_ERROR:
 .PHONY: all
-all: $(DIR)/rough.png $(DIR)/ring.png $(DIR)/museum.png
+all: $(DIR)/rough.png $(DIR)/ring.png $(DIR)/museum.png $(DIR)/coats.png
 
 $(DIR):
 	mkdir -p $@
@@ -41,6 +41,20 @@ $(DIR)/ring.exr: $(DIR)/ring.vdb $(DIR)/env.exr
 	$(BIN)/lightsim $< -o $(DIR)/ring_lit.vdb --light directional:0.8,-0.75,-0.2:3:0.53
 	$(BIN)/render $(DIR)/ring_lit.vdb -o $@ --eye -0.6,2.6,3.1 --target 0.05,0.05,0 --fov 34 --size 640x480 \
 	  --env $(DIR)/env.exr --samples 4
+
+# ---- one paint under no coat, and coats of 1.33, 1.5 and 2.4, on an endless ground
+$(DIR)/boxes.exr: | $(DIR)
+	oiiotool --pattern fill:top=0.25,0.3,0.38:bottom=0.12,0.11,0.1 512x256 3 --fill:color=6,5.7,5.2 90x60+290+25 \
+	  --fill:color=1.5,1.8,2.2 40x80+140+70 --blur 5x5 -d float -o $@
+$(DIR)/paint%.obj: | $(DIR)
+	$(MESHGEN) sphere --radius 0.42 --segments 96 --place $$((10 * $* - 25))e-1,0.43,0 -o $@
+$(DIR)/coats.vdb: $(DIR)/paint1.obj $(DIR)/paint2.obj $(DIR)/paint3.obj $(DIR)/paint4.obj
+	$(BIN)/mesh2vol $^ -o $@ --resolution 288 --ior 1 --ior 1.33 --ior 1.5 --ior 2.4 --opacity 1 --albedo 0.55,0.04,0.03 \
+	  --ground='0:0.75,0.72,0.66:checker 0.35'
+$(DIR)/coats.exr: $(DIR)/coats.vdb $(DIR)/boxes.exr
+	$(BIN)/lightsim $< -o $(DIR)/coats_lit.vdb $(SUN):0.53
+	$(BIN)/render $(DIR)/coats_lit.vdb -o $@ --eye 0.6,1.5,5.4 --target 0,0.3,0 --fov 26 --size 640x320 \
+	  --env $(DIR)/boxes.exr --samples $(SAMPLES)
 
 # ---- four stands, each a volume of its own, side by side
 THINGS := glass gold frosted lacquer
