@@ -175,7 +175,7 @@ triangles() {
     local quads i csv=$work/triangles.csv
     : >"$csv"
     table 'triangles' 'mesh2vol [ms]' 'reading and checks' 'distances' 'host [MB]'
-    for quads in 50 158 500; do
+    for quads in 50 158 500 1582; do
         balls 1 $quads >"$work/ball.obj"
         for i in 1 2; do
             "$bin/mesh2vol" "$work/ball.obj" -o "$work/b.vdb" --ior 1.5 --quiet --resolution 128 \
@@ -196,7 +196,7 @@ triangles() {
 for name in ${5:-resolutions pixels voxels photons lights objects triangles}; do
     case $name in
     voxels) light_table voxels lit_voxels 64 128 256 512 ;;
-    photons) jade 64 && light_table photons lit_photons 10000 100000 1000000 10000000 ;;
+    photons) jade 64 && light_table photons lit_photons 10000 100000 1000000 10000000 100000000 ;;
     lights) jade 64 && light_table lights lit_lights 1 4 16 64 ;;
     *) $name ;;
     esac >"$work/table.md"

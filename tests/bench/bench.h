@@ -52,6 +52,8 @@ Json measureFronts(const Settings& settings);
 Json measureHierarchy(const Settings& settings);
 /// Methods in image space on six meshes at 512²: Oliveira and Brauwers 2007, table 1.
 Json measureImageSpace(const Settings& settings);
+/// Look-ups in dense, paged and NanoVDB's distances; not built without NanoVDB's headers.
+Json measureSparse(const Settings& settings);
 /// Sun et al. 2008, tables 1 and 2: same columns, same sweeps.
 Json measureTables(const Settings& settings);
 

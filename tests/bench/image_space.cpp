@@ -33,12 +33,9 @@ struct Model {
     int subdivisions;
     dvec3 from; ///< the eye's direction
 };
-const Model kModels[] = {{"armadillo", 0, {0.2, 0.2, -1}},
-                         {"bunny00", 0, {0.3, 0.3, 1}},
-                         {"camel", 1, {1, 0.3, 0.5}},
-                         {"bear", 1, {0.5, 0.3, 1}},
-                         {"man", 1, {0.3, 0.2, 1}},
-                         {"refined_elephant", 1, {1, 0.3, 0.6}}};
+const Model kModels[] = {{"armadillo", 0, {0.2, 0.2, -1}}, {"bunny00", 0, {0.3, 0.3, 1}},
+                         {"camel", 1, {1, 0.3, 0.5}},      {"bear", 1, {0.5, 0.3, 1}},
+                         {"man", 1, {0.3, 0.2, 1}},        {"refined_elephant", 1, {1, 0.3, 0.6}}};
 
 /// Each triangle in four, along curves that bend with the normals.
 mesh::TriangleMesh subdivided(mesh::TriangleMesh mesh) {

@@ -35,7 +35,8 @@ void printTable(const char* title, const Json& rows) {
 int main(int argc, char** argv) {
     Settings settings;
     settings.device = "auto";
-    std::string json, parts = "kernels,sharp,stages,steps,surfaces,fronts,hierarchy,images,tables";
+    std::string json,
+        parts = "kernels,sharp,stages,steps,surfaces,fronts,hierarchy,images,sparse,tables";
     CLI::App app("Times the toolchain.", "bench");
     app.add_option("--bin", settings.bin, "folder of the tools")->required();
     app.add_option("--work", settings.work, "folder for scratch files")->required();
@@ -44,8 +45,9 @@ int main(int argc, char** argv) {
     app.add_option("--bunny", settings.bunny, "mesh for table 2");
     app.add_option("--meshes", settings.meshes, "folder of meshes, for images");
     app.add_option("--repeats", settings.repeats, "of each measurement");
-    app.add_option("--parts", parts,
-                   "which of kernels,sharp,stages,steps,surfaces,fronts,hierarchy,images,tables");
+    app.add_option(
+        "--parts", parts,
+        "which of kernels,sharp,stages,steps,surfaces,fronts,hierarchy,images,sparse,tables");
     CLI11_PARSE(app, argc, argv);
     try {
         std::filesystem::create_directories(settings.work);
@@ -84,6 +86,16 @@ int main(int argc, char** argv) {
             result["images"] = measureImageSpace(settings);
             printTable("table 1 of Oliveira and Brauwers 2007", result["images"]);
         }
+#ifdef EIKONAL_NANOVDB_HEADER
+        if (parts.find("sparse") != parts.npos) {
+            result["sparse"] = measureSparse(settings);
+            printTable("look-ups of sparse distances", result["sparse"]);
+        }
+#else
+        if (parts.find("sparse") != parts.npos)
+            std::fprintf(stderr,
+                         "bench: warning: no NanoVDB here (Debian: libnanovdb-dev): no sparse\n");
+#endif
         if (parts.find("tables") != parts.npos) {
             result["tables"] = measureTables(settings);
             printTable("table 1 of Sun et al. 2008", result["tables"]["table1"]);
