@@ -12,6 +12,7 @@ DIR        := $(OUT)/gltf_scene
 .DELETE_ON_ERROR:
 .PHONY: all
 all: $(DIR)/scene.png
+	@echo "gltf_scene: look at $<"
 
 $(DIR):
 	mkdir -p $@

@@ -20,6 +20,7 @@ GRID       ?= opacity
 RISE       ?= $(WARMER):293.15
 VIEW       ?= --eye 0,1,9 --target 0,1,0 --ortho 2.2 --size 360x480
 default: $(OUT)/plume.png
+	@echo "plume: look at $<"
 .PHONY: default
 
 # A tube of 48 sides about a winding axis, which widens upward and is closed by fans.

@@ -10,8 +10,8 @@
 #include "image/srgb.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -147,7 +147,7 @@ PictureName parsePictureName(const std::string& text) {
     return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
-Environment readEnvironment(const PictureName& name) {
+Environment readPlate(const PictureName& name) {
     const Image picture = readPicture(name.path, name.layer);
     if (picture.envmap == Envmap::cube)
         throw DataError(name.path + ": is a cube map, expected a lat-long map");
@@ -162,6 +162,17 @@ Environment readEnvironment(const PictureName& name) {
                     3);
     if (!grey) map.chromaticities = picture.chromaticities;
     environment.warnings = makeRadiance(map, name.path);
+    return environment;
+}
+
+Environment readEnvironment(const PictureName& name) {
+    Environment environment = readPlate(name);
+    const Image& map = environment.map;
+    if (std::abs(map.width - 2 * map.height) > 2) // maps by edges have a column and a row more
+        environment.warnings.push_back(
+            name.path + ": found " + std::to_string(map.width) + " x " +
+            std::to_string(map.height) +
+            " pixels, expected a lat-long map, twice as wide as high; it is stretched to one");
     return environment;
 }
 

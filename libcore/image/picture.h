@@ -64,14 +64,17 @@ struct PictureName {
 };
 PictureName parsePictureName(const std::string& text);
 
-/// An environment map, and what was changed to make it one.
+/// An environment map or a plate, and what was changed to make it one.
 struct Environment {
     Image map; ///< exactly R, G and B, finite and not negative, in Rec. 709; no cube map
     std::vector<std::string> warnings;
 };
 
-/// Reads an environment map, in any format; Y is spread. Throws as readPicture() and
+/// Reads a picture as radiance, in any format; Y is spread. Throws as readPicture() and
 /// makeRadiance().
+Environment readPlate(const PictureName& name);
+
+/// The same of a lat-long map; warns where it is not twice as wide as high.
 Environment readEnvironment(const PictureName& name);
 
 } // namespace eikonal::image

@@ -318,6 +318,7 @@ RepairResult repairMesh(const TriangleMesh& mesh) {
     dropUnusedPoints(result.mesh);
     if (!checkTopology(result.mesh).outward) turned += turnOutward(result.mesh, result.actions);
     normals.giveTo(result.mesh);
+    result.filled = before.area > 0 ? added / before.area : 0;
     result.loss = lossOf(before, Figures(result.mesh), sheets, added, turned > 0);
     return result;
 }

@@ -14,6 +14,7 @@ struct RepairResult {
     std::vector<std::string> actions; ///< one sentence each; empty if the mesh was sound
     /// What of the surface was lost, or changed by more than the actions say; empty: nothing.
     std::string loss;
+    double filled = 0; ///< area of what fills holes, over that of the surface that was there
 };
 
 /// Merges points, also those that rounding holds apart (weldNearPoints), drops faces of repeated

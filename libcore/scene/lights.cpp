@@ -209,7 +209,9 @@ Light parseLight(const std::string& spec) {
         if (light.polarizer != dvec3(0)) light.rgb *= 0.5;
         return light;
     }
-    throw parts.bad("no such kind of light");
+    throw UsageError("--light: found '" + spec + "' (no such kind of light as '" + kind +
+                     "'), expected directional, point, spot, rect, sphere or environment and its "
+                     "parts, which --help lists");
 }
 
 dvec3 powerOf(const Light& light) {

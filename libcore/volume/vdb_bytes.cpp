@@ -35,7 +35,7 @@ class FileSource : public ByteSource {
 public:
     explicit FileSource(const std::string& path)
         : mPath(path), mFile(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-        if (mFile < 0) throw MissingError(path + ": can't open for reading");
+        if (mFile < 0) throw MissingError(path + ": can't open: " + std::strerror(errno));
         struct stat status {};
         ::fstat(mFile, &status);
         mSize = static_cast<std::uint64_t>(status.st_size);

@@ -7,6 +7,8 @@
 #include "mesh/check.h"
 #include "mesh/repair.h"
 
+#include <cmath>
+
 namespace eikonal::voxelize {
 
 namespace {
@@ -89,6 +91,11 @@ Acceptance acceptMesh(mesh::TriangleMesh& mesh, const std::string& path, bool re
     mesh = std::move(repaired.mesh);
     result.repairs = std::move(repaired.actions);
     result.warnings = warningsOf(after);
+    const double kMuch = 0.25;
+    if (repaired.filled > kMuch)
+        result.warnings.push_back(
+            "what fills its holes is " + toText(std::round(100 * repaired.filled)) +
+            " % of the surface that was there: is it the object that was meant?");
     result.repairs.push_back("repaired: " + after.sentences().front());
     return result;
 }

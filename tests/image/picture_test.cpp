@@ -149,6 +149,22 @@ TEST_F(PictureTest, JpegIsWrittenWithoutAlpha) {
     EXPECT_NEAR(back.plane(1)[10], 0.5, 0.01);
 }
 
+TEST_F(PictureTest, AnEnvironmentIsTwiceAsWideAsHigh) {
+    const auto warningsOf = [&](int width, int height) {
+        const std::vector<float> pixels(static_cast<size_t>(width * height), 0.5f);
+        Image image(width, height);
+        for (const char* name : {"R", "G", "B"}) image.addChannels({name}, pixels, 1);
+        write("a.png", image);
+        EXPECT_TRUE(readPlate({at("a.png"), ""}).warnings.empty());
+        return readEnvironment({at("a.png"), ""}).warnings;
+    };
+    EXPECT_TRUE(warningsOf(64, 32).empty());
+    EXPECT_TRUE(warningsOf(65, 33).empty()); // by edges
+    const auto warnings = warningsOf(64, 48);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("64 x 48"), std::string::npos);
+}
+
 TEST_F(PictureTest, RadianceHdrIsLinear) {
     // One pixel of (0.5, 0.25, 2): mantissas over 256 times 2^(exponent - 128).
     putBytes("a.hdr",

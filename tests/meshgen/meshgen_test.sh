@@ -27,6 +27,9 @@ test_bad_usage() {
     refuses 64 box
     says 'not given: --output'
     refuses 64 cone -o out.obj
+    says "no such kind: 'cone', expected one of revolve"
+    refuses 64 revolv profile.csv -o out.obj
+    says 'did you mean revolve?'
     refuses 64 box sphere -o out.obj
     refuses 64 revolve -o out.obj
     says 'PROFILE'

@@ -79,6 +79,18 @@ TEST(Accept, SaysWhatARepairCameTo) {
     EXPECT_TRUE(found.warnings.empty());
 }
 
+TEST(Accept, DoubtsWhatIsMostlyFilled) {
+    // A quarter of a ball's surface is closed by about as much as it has.
+    mesh::TriangleMesh piece = mesh::icosphere(1, 3);
+    std::erase_if(piece.triangles, [&](const glm::uvec3& t) {
+        const glm::dvec3 sum = piece.points[t.x] + piece.points[t.y] + piece.points[t.z];
+        return sum.x < 0 || sum.y < 0;
+    });
+    const Acceptance found = acceptMesh(piece, "piece.obj", true);
+    ASSERT_EQ(found.warnings.size(), 1u);
+    EXPECT_NE(found.warnings[0].find("fills its holes"), std::string::npos);
+}
+
 TEST(Accept, TellsOfACavityThatIsNone) {
     const mesh::TriangleMesh outer = mesh::boxShape({0, 0, 0}, {4, 4, 4});
     const mesh::TriangleMesh inner = mesh::boxShape({1, 1, 1}, {3, 3, 3});

@@ -146,6 +146,14 @@ std::string unknownArguments(const CLI::App& app) {
             options.push_back(name + suggestion(app, name.substr(letters), "--"));
     }
     if (!options.empty()) return "no such option: " + join(options, ", ");
+    if (!others.empty() && !subcommandsOf(app).empty() && app.get_subcommands().empty()) {
+        std::vector<std::string> names;
+        for (const CLI::App* known : subcommandsOf(app)) names.push_back(known->get_name());
+        const std::string given = app.remaining(true).front(), meant = likest(given, names);
+        return "no such kind: '" + given + "'" +
+               (meant.empty() ? ", expected one of " + join(names, ", ")
+                              : " (did you mean " + meant + "?)");
+    }
     return others.empty() ? "" : "not expected: " + join(others, ", ");
 }
 

@@ -69,13 +69,12 @@ void renderVolumes(tool::Session& session, Options& o) {
     std::vector<view::Plan> plans;
     std::optional<image::Image> map;
     session.pass("read", [&] {
-        const auto readRadiance = [&](const image::PictureName& name) {
-            image::Environment read = image::readEnvironment(name);
+        const auto take = [&](image::Environment read) {
             for (const std::string& warning : read.warnings) session.warn(warning);
             return std::move(read.map);
         };
-        if (!o.environment.empty()) map = readRadiance(environment);
-        if (o.params.plate) o.params.plate->picture = readRadiance(plate);
+        if (!o.environment.empty()) map = take(image::readEnvironment(environment));
+        if (o.params.plate) o.params.plate->picture = take(image::readPlate(plate));
         if (!o.light.empty()) o.params.points = readPoints(o.light, o.params.camera);
         files = places::grouped(placed, o.names);
         plans = view::makePlans(files, o.params, map.has_value());
