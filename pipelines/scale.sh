@@ -277,7 +277,7 @@ One ball, at 128 voxels.
 
 $(cat "$work/triangles.md")
 
-A mesh is read and checked in time that follows its triangles. Distances follow the voxels near it, until
-a voxel has many triangles.
+A mesh is read and checked in time that follows its triangles, and so is it looked through for facets that want curving.
+Distances follow the voxels near it, until a voxel has many triangles.
 END
 mv "$work/page.md" "$page"
