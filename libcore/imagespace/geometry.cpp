@@ -155,8 +155,8 @@ Sides sortBySide(Geometry& geometry, const camera::Camera& camera) {
     const float nearest = camera.parallel ? -std::numeric_limits<float>::max()
                                           : static_cast<float>(1e-3 * geometry.radius);
     const auto floats = static_cast<size_t>(6 + geometry.extra);
-    std::vector<vec3> seen(geometry.vertices.size() /
-                           floats); // on the picture, y up, and the depth
+    // On the picture, y up, and the depth.
+    std::vector<vec3> seen(geometry.vertices.size() / floats);
     for (size_t i = 0; i < seen.size(); ++i) {
         const float* place = &geometry.vertices[i * floats];
         const vec3 x(toCamera * glm::vec4(place[0], place[1], place[2], 1));

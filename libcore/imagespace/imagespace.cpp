@@ -91,9 +91,9 @@ struct Renderer::Impl {
     gpu::Buffer block, depthRange;
     std::optional<image::Image> around;
     Geometry geometry, plateGeometry;
-    std::vector<std::uint32_t> ordered,
-        order;     ///< indices of a body, and how its triangles are drawn
-    Sides sides{}; ///< of the body, but where layers are kept
+    std::vector<std::uint32_t> ordered; ///< a body's indices,
+    std::vector<std::uint32_t> order;   ///< and how its triangles are drawn
+    Sides sides{};                      ///< of the body, but where layers are kept
     gpu::Triangles triangles, plateTriangles;
     std::optional<Follower> follower;
     ImageSpaceParams values{};
