@@ -16,8 +16,8 @@ void appendCurve(const std::vector<glm::dvec2>& control, double tolerance,
         bend = std::max(bend, glm::length(control[k] - 2.0 * control[k + 1] + control[k + 2]));
     bend *= degree * (degree - 1);
     constexpr double most = 4096; // chords, where a tolerance is far below the curve's size
-    const int chords =
-        static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * tolerance))), 1.0, most));
+    const double wanted = bend > 0 ? std::ceil(std::sqrt(bend / (8 * tolerance))) : 1;
+    const int chords = static_cast<int>(std::clamp(wanted, 1.0, most));
     for (int k = 1; k < chords; ++k) { // de Casteljau
         const double t = static_cast<double>(k) / chords;
         std::vector<glm::dvec2> level = control;

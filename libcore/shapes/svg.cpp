@@ -3,6 +3,7 @@
 #include "shapes/svg.h"
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,6 +15,9 @@
 namespace eikonal::shapes {
 
 namespace {
+
+/// Products of what is no larger do not overflow.
+constexpr double kLargest = 1e100;
 
 constexpr std::string_view kBlanks = " \t\r\n\f";
 
@@ -91,6 +95,8 @@ public:
         const char* const begin = mText.data() + mAt + (mText[mAt] == '+');
         const auto [behind, error] = std::from_chars(begin, mText.data() + mText.size(), value);
         if (error != std::errc() || !std::isfinite(value)) fail(here(), "a number");
+        if (std::abs(value) > kLargest)
+            fail("a number beyond " + toText(kLargest), "a smaller one");
         mAt = static_cast<size_t>(behind - mText.data());
         return value;
     }
@@ -125,7 +131,10 @@ std::vector<std::vector<glm::dvec2>> arcCurves(const glm::dvec2& from, const glm
                                                bool sweep) {
     radii = glm::abs(radii);
     if (from == to) return {};
-    if (radii.x == 0 || radii.y == 0) return {{from, to}};
+    // Radii too unlike make a line; those that are nothing beside the chord grow below in any case.
+    const double larger = std::max(radii.x, radii.y), least = 1e-9 * glm::length(to - from);
+    if (std::min(radii.x, radii.y) <= 1e-9 * larger) return {{from, to}};
+    if (larger < least) radii *= least / larger;
     // Where the ellipse is the unit circle.
     const double c = std::cos(turn), s = std::sin(turn);
     const glm::dmat2 axes({c, s}, {-s, c});

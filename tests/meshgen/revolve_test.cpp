@@ -94,6 +94,12 @@ TEST_F(Revolve, CurvesGoOnSmoothly) {
     EXPECT_NEAR(sound(ofPath("M0,0 H1 T1,1 H0")).volume, pi * share(64), 1e-12);
 }
 
+TEST_F(Revolve, ACurveOfNoExtentIsAPoint) {
+    EXPECT_NEAR(sound(ofPath("M0,0 C0,0 0,0 0,0 H1 V2 Q1,2 1,2 H0")).volume, 2 * pi * share(64),
+                1e-12);
+    refused({"1 point "}, "<svg><path d='M1,1 C1,1 1,1 1,1'/></svg>");
+}
+
 TEST_F(Revolve, ArcsAreOfTheirEllipse) {
     const double ball = 4 * pi / 3 * share(64), ring = 2 * pi * 3 * pi * share(64);
     // From the top to the bottom; radii that do not reach grow, signs of radii are nothing.
@@ -137,6 +143,7 @@ TEST_F(Revolve, BadProfilesAreRefusedByPlace) {
     refused({"line 3", "axis"}, "1,0\n1,1\n0,1.5\n1,2\n1,3\n");
     pathRefused({"character 6", "'B'"}, "M0,0 B1,1");
     pathRefused({"character 13", "'2'", "a flag"}, "M0,0 A1,1 0 2 1 2,2");
+    pathRefused({"beyond 1e+100"}, "M0,0 H1e101 V1");
     pathRefused({"the end", "a flag"}, "M0,0 A1,1 0 ");
     pathRefused({"character 1", "'L'", "M first"}, "L0,0");
     pathRefused({"character 7", "'x'", "a number"}, "M0,0 Lx");
