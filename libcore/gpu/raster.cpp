@@ -113,12 +113,16 @@ void Layers::clear(int layer) {
                        nullptr);
 }
 
+void Layers::makeLevels() {
+    glGenerateTextureMipmap(mName);
+}
+
 void Layers::bindSampler(unsigned unit) const {
     glBindTextureUnit(unit, mName);
 }
 
-void Layers::bindImage(unsigned unit, int level) const {
-    glBindImageTexture(unit, mName, level, GL_TRUE, 0, GL_READ_WRITE, internalOf(mFormat));
+void Layers::bindImage(unsigned unit) const {
+    glBindImageTexture(unit, mName, 0, GL_TRUE, 0, GL_READ_WRITE, internalOf(mFormat));
 }
 
 void Layers::download(void* data, std::int64_t bytes) const {
@@ -131,6 +135,9 @@ Canvas::Canvas(Device& device, int width, int height) : mWidth(width), mHeight(h
     glCreateRenderbuffers(1, &mDepth);
     glNamedRenderbufferStorage(mDepth, GL_DEPTH_COMPONENT32F, width, height);
     glNamedFramebufferRenderbuffer(mName, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, mDepth);
+    glCreateFramebuffers(1, &mOverall);
+    glNamedFramebufferRenderbuffer(mOverall, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, mDepth);
+    glCreateVertexArrays(1, &mNoVertices);
     glCreateQueries(GL_ANY_SAMPLES_PASSED, 1, &mQuery);
     device.check("allocating a canvas");
 }
@@ -138,18 +145,23 @@ Canvas::Canvas(Device& device, int width, int height) : mWidth(width), mHeight(h
 Canvas::~Canvas() {
     if (mName == 0) return;
     glDeleteQueries(1, &mQuery);
+    glDeleteVertexArrays(1, &mNoVertices);
+    glDeleteFramebuffers(1, &mOverall);
     glDeleteRenderbuffers(1, &mDepth);
     glDeleteFramebuffers(1, &mName);
 }
 
 Canvas::Canvas(Canvas&& other) noexcept
     : mName(std::exchange(other.mName, 0)), mDepth(other.mDepth), mQuery(other.mQuery),
-      mWidth(other.mWidth), mHeight(other.mHeight) {}
+      mOverall(other.mOverall), mNoVertices(other.mNoVertices), mWidth(other.mWidth),
+      mHeight(other.mHeight) {}
 
 Canvas& Canvas::operator=(Canvas&& other) noexcept {
     std::swap(mName, other.mName);
     std::swap(mDepth, other.mDepth);
     std::swap(mQuery, other.mQuery);
+    std::swap(mOverall, other.mOverall);
+    std::swap(mNoVertices, other.mNoVertices);
     std::swap(mWidth, other.mWidth);
     std::swap(mHeight, other.mHeight);
     return *this;
@@ -210,14 +222,10 @@ bool Canvas::end(bool ask) {
 }
 
 void Canvas::addWhere(bool covered, const Program& program, const Texture& target) const {
-    GLuint framebuffer = 0, vertexArray = 0;
-    glCreateFramebuffers(1, &framebuffer);
-    glCreateVertexArrays(1, &vertexArray);
-    glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target.name(), 0);
-    glNamedFramebufferRenderbuffer(framebuffer, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, mDepth);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glNamedFramebufferTexture(mOverall, GL_COLOR_ATTACHMENT0, target.name(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, mOverall);
     glViewport(0, 0, mWidth, mHeight);
-    glBindVertexArray(vertexArray);
+    glBindVertexArray(mNoVertices);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     // Bare is what depth was cleared to, 0.
@@ -232,9 +240,8 @@ void Canvas::addWhere(bool covered, const Program& program, const Texture& targe
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
+    glBindVertexArray(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteVertexArrays(1, &vertexArray);
-    glDeleteFramebuffers(1, &framebuffer);
 }
 
 } // namespace eikonal::gpu

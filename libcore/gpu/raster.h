@@ -47,8 +47,9 @@ public:
     Layers& operator=(Layers&& other) noexcept;
 
     void clear(int layer); ///< its finest level, to zero
+    void makeLevels();     ///< all coarser ones, from the finest
     void bindSampler(unsigned unit) const;
-    void bindImage(unsigned unit, int level = 0) const; ///< one level, for reading and writing
+    void bindImage(unsigned unit) const; ///< its finest level, for reading and writing
     /// The finest level, layer by layer.
     void download(void* data, std::int64_t bytes) const;
     unsigned name() const { return mName; }
@@ -96,6 +97,7 @@ public:
 
 private:
     unsigned mName = 0, mDepth = 0, mQuery = 0;
+    unsigned mOverall = 0, mNoVertices = 0; ///< what addWhere() draws to, and from
     int mWidth = 0, mHeight = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "image/srgb.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <exception>

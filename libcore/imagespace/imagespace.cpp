@@ -84,7 +84,7 @@ struct Renderer::Impl {
     Stats& stats;
     gpu::Profiler profiler;
     gpu::Texture map;
-    gpu::Program surface, level, range, refract, bare;
+    gpu::Program surface, range, refract, bare;
     gpu::Layers fronts, backs, distances, paths;
     gpu::Canvas canvas;
     gpu::Texture colours;
@@ -122,7 +122,6 @@ struct Renderer::Impl {
         const bool isr = params.method == Method::isr;
         surface = gpu::Program(device, "imagespace/surface.vert.glsl",
                                "imagespace/surface.frag.glsl", {{"PEELS", 0}, {"EXTRA", isr}});
-        level = gpu::Program(device, "imagespace/level.comp.glsl", {});
         range = gpu::Program(device, "imagespace/range.comp.glsl", {});
         refract =
             gpu::Program(device, "imagespace/overall.vert.glsl", "imagespace/refract.frag.glsl",
@@ -211,21 +210,14 @@ struct Renderer::Impl {
     /// Coarser levels of the back faces, and between which depths they lie.
     void summarizeBacks() {
         profiler.begin("mip levels");
-        backs.bindSampler(kBacksUnit);
-        for (int k = 1; k < kLevels; ++k) {
-            values.picture.w = k;
-            upload();
-            backs.bindImage(kLevelImage, k);
-            level.dispatch(
-                {std::max(params.camera.width >> k, 1), std::max(params.camera.rows >> k, 1), 1});
-            gpu::barrier();
-        }
+        backs.makeLevels();
         profiler.end();
         if (params.method != Method::dir) return;
         profiler.begin("depth range");
         const std::array<std::uint32_t, 2> none{~std::uint32_t{0} >> 1, 0};
         depthRange.upload(none.data(), sizeof none);
         depthRange.bindStorage(kDepthRangeBuffer);
+        backs.bindSampler(kBacksUnit);
         const int runs = (params.camera.width + 31) / 32;
         range.dispatch({runs * params.camera.rows, 1, 1});
         gpu::barrier();

@@ -133,5 +133,4 @@ const int kPlatesUnit = 3;       // of opaque meshes, as kFrontsUnit
 const int kAlbedosUnit = 4;      // theirs
 const int kColoursImage = 0;     // premultiplied RGBA per pixel
 const int kPathsImage = 1;       // SurfacePath per pixel
-const int kLevelImage = 2;       // a coarser level of kBacksUnit
 const int kDepthRangeBuffer = 4; // bits of the least and the greatest depth of back faces

@@ -7,7 +7,7 @@ struct ImageSpaceParams {
     mat4 clipFromCamera; // y down; depths from 0, far, to 1, near
     vec4 window;     // xy: half width and height of the view, at depth 1 or parallel [unit]; z: 1 perspective,
                      // 0 parallel
-    ivec4 picture;   // width, rows; z: rays of a pixel before this one; w: the mip level to make
+    ivec4 picture;   // width, rows; z: rays of a pixel before this one
     vec4 pattern;    // xy: where in its pixel a ray goes; z: a ray's share of its pixel
     vec4 optics;     // x: index of the body; y: share below which a reflection is not followed
     ivec4 limits;    // x: steps of the search, y: layers, z: interfaces that a ray meets, w: layers of plates

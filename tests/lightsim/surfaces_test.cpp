@@ -361,6 +361,14 @@ TEST(LightSurfaces, AFewWideBeamsLoseNoLight) {
     }
 }
 
+TEST(LightSurfaces, LightJustOffASurfaceLandsOnIt) {
+    // Chords of wide beams lie in a ball's voxels, or one beside them.
+    const judge::Glass ball{{judge::glassBall(dvec3(20), 15, 1)}};
+    const Lit lit(sceneOf(ball, ivec3(40)), onSurfaces(beam({0.3, -1, 0.2}), 4, 1 << 10));
+    EXPECT_GT(lit.counter("beam_deposits"), 10000);
+    EXPECT_EQ(lit.counter("beam_deposits_missed"), 0);
+}
+
 TEST(LightSurfaces, PanesSendEachOthersReflectionsDown) {
     // What N interfaces of reflectance R let through, all orders summed: (1 − R)/(1 + (N − 1) R).
     const ivec3 size(24, 44, 24);

@@ -92,6 +92,9 @@ TEST_F(Revolve, CurvesGoOnSmoothly) {
     // Behind a line there is nothing to go on from: a quadratic whose handle is its start is
     // straight.
     EXPECT_NEAR(sound(ofPath("M0,0 H1 T1,1 H0")).volume, pi * share(64), 1e-12);
+    // Nor behind an arc, though it is made of cubics.
+    EXPECT_NEAR(sound(ofPath("M0,0 A.5,.5 0 0 1 1,0 S2,0 2,0 V2 H0")).volume,
+                sound(ofPath("M0,0 A.5,.5 0 0 1 1,0 L2,0 V2 H0")).volume, 1e-12);
 }
 
 TEST_F(Revolve, ACurveOfNoExtentIsAPoint) {
@@ -104,7 +107,7 @@ TEST_F(Revolve, ArcsAreOfTheirEllipse) {
     const double ball = 4 * pi / 3 * share(64), ring = 2 * pi * 3 * pi * share(64);
     // From the top to the bottom; radii that do not reach grow, signs of radii are nothing.
     for (const char* d : {"M0,0 A1,1 0 0 1 0,2", "M0,2 a1 1 0 000-2", "M0,0 A.2,.2 0 0 1 0,2",
-                          "M0,0 A-1,1 77 1 1 0,2"})
+                          "M0,0 A1e-200,1e-200 0 0 1 0,2", "M0,0 A-1,1 77 1 1 0,2"})
         EXPECT_NEAR(sound(ofPath(d)).volume, ball, 2e-3 * ball) << d;
     for (const char* d : {"M0,0 A3,1 0 0 1 0,2", "M0,0 A1,3 90 0 1 0,2", "M0,0 A1,3 -90 0 1 0,2"})
         EXPECT_NEAR(sound(ofPath(d)).volume, 9 * ball, 2e-3 * 9 * ball) << d;

@@ -39,6 +39,9 @@ TEST(Solids, ABoxWithABevel) {
             const glm::dvec3 p = box.points[box.triangles[f][k]];
             const glm::dvec3 off = p - glm::clamp(p, low + r, high - r);
             EXPECT_NEAR(glm::length(off), r, 1e-14);
+            // Chords are of about the same angle.
+            const glm::vec3 next = box.normals[f][static_cast<size_t>((k + 1) % 3)];
+            EXPECT_LT(glm::distance(off / r, glm::dvec3(next)), 2 * pi / 2 / 32);
             EXPECT_LT(glm::distance(off / r, glm::dvec3(box.normals[f][static_cast<size_t>(k)])),
                       1e-6);
         }
