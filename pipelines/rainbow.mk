@@ -7,15 +7,14 @@
 #   make -f pipelines/rainbow.mk lines         where three wavelengths meet the wall, beside Snell's law
 #   make -f pipelines/rainbow.mk bands         how far off fewer wavelengths are on the wall, and out/rainbow_bands.png
 #
-# The wall is lit by beams, which are of the middle wavelength of each part: it wants WALL = 64 of them, or shows
-# the steps. Photons take all wavelengths of their part, so that smoke is even with SMOKE = 8. The wall's
-# dim light comes by itself: --proxy sends the other through the slit alone.
+# The wall's colours are pure: WALL = 16 parts of the spectrum. Smoke blurs them, SMOKE = 8 are enough. The wall's dim
+# light comes by itself: --proxy sends the other through the slit alone.
 SHELL := /bin/bash -o pipefail
 .DELETE_ON_ERROR:
 BIN     ?= build/bin
 OUT     ?= out
 GLASSES ?= sf10 bk7
-WALL    ?= 64
+WALL    ?= 16
 SMOKE   ?= 8
 SIZE    ?= 480x272
 COUNTS  ?= 4 8 16 32 64

@@ -49,9 +49,9 @@ void Buffer::clear() {
     glClearNamedBufferData(mName, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
-void Buffer::copyFrom(const Buffer& other, std::int64_t bytes) {
+void Buffer::copyFrom(const Buffer& other, std::int64_t bytes, std::int64_t offset) {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyNamedBufferSubData(other.mName, mName, 0, 0, bytes);
+    glCopyNamedBufferSubData(other.mName, mName, offset, offset, bytes);
 }
 
 void Buffer::bindStorage(unsigned binding) const {

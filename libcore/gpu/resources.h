@@ -28,7 +28,7 @@ public:
     void download(void* data, std::int64_t bytes, std::int64_t offset = 0) const;
     void clear(); ///< to zero bytes
     /// The first `bytes` of another one.
-    void copyFrom(const Buffer& other, std::int64_t bytes);
+    void copyFrom(const Buffer& other, std::int64_t bytes, std::int64_t offset = 0);
     void bindStorage(unsigned binding) const;
     void bindUniform(unsigned binding) const;
     unsigned name() const { return mName; }

@@ -5,6 +5,7 @@
 #include "lightsim/dispatch.h"
 #include "lightsim/photons.h"
 #include "lightsim/spread.h"
+#include "optics/spectrum.h"
 
 #include <algorithm>
 #include <array>
@@ -46,8 +47,8 @@ constexpr std::int64_t kMostCells = 1 << 16;
 // The least part of a map that it is aimed at: elsewhere there are as many starting cells, then.
 constexpr double kLeastAim = 1.0 / (kStart * kStart);
 
-// Beams cut into cells at a time, each into 16 by 16 at most.
-constexpr std::uint32_t kBeamsPerCut = 1 << 13;
+// Cells that beams are cut into at a time, of each 16 by 16 at most, at kMostShifts places.
+constexpr std::uint32_t kCellsPerCut = 1 << 21;
 constexpr std::uint32_t kCellsPerBeam = 256;
 constexpr std::int64_t kCellBytes = 8;
 
@@ -77,6 +78,10 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
     return switches;
 }
 
+bool shifts(const Plan& plan, const Params& params) {
+    return plan.scene.disperses && params.tracing.wavelengths.spread();
+}
+
 } // namespace
 
 /// Cells, on the device.
@@ -85,11 +90,17 @@ struct Beams::Nodes {
     std::int64_t count = 0;
 };
 
+/// Points of one wavelength.
+struct Beams::Rays {
+    gpu::Buffer points, objects;
+};
+
 /// All kinds of path that take as many branches: their points, and the cells that go on from an
 /// interface.
 struct Beams::Generation {
     int length = 0;
-    gpu::Buffer points, objects, marks, wanted, slots;
+    Rays middle, shifted; ///< of the band's middle, and where mShifts says so of mShifted
+    gpu::Buffer marks, wanted, slots;
     std::int64_t capacity = 0, count = 0; ///< points there is room for, and those there are
     std::vector<Nodes> next;              ///< that go on
     std::int64_t wantedCount = 0, branchCount = 0; ///< of points and of cells, each by a branch
@@ -97,7 +108,7 @@ struct Beams::Generation {
 
 struct Beams::Run {
     gpu::Device& device;
-    const scene::Transport& transport;
+    scene::Transport& transport;
     const Media& media;
     const gpu::Texture& leaves;
     const SurfaceReceiver& surfaces;
@@ -112,20 +123,23 @@ Beams::Beams(gpu::Device& device, const Plan& plan, const Params& params)
       mSort(device, "lightsim/beam_sort.comp.glsl",
             {{"CHANNELS", plan.tracedChannels()},
              {"CULLS", !plan.points.empty()},
-             {"CRYSTALS", plan.polarises()}}),
+             {"CRYSTALS", plan.polarises()},
+             {"DISPERSION", shifts(plan, params)}}),
       mSplit(device, "lightsim/beam_split.comp.glsl", {}),
       mFollow(device, "lightsim/beam_follow.comp.glsl", {{"CRYSTALS", plan.polarises()}}),
-      mCut(device, "lightsim/beam_cut.comp.glsl", {}),
+      mCut(device, "lightsim/beam_cut.comp.glsl", {{"DISPERSION", shifts(plan, params)}}),
       mDeposit(device, "lightsim/beam_deposit.comp.glsl",
-               {{"CHANNELS", plan.tracedChannels()}, {"SURFACE_FLOW", plan.sumsFlow()}}),
+               {{"CHANNELS", plan.tracedChannels()},
+                {"SURFACE_FLOW", plan.sumsFlow()},
+                {"DISPERSION", shifts(plan, params)}}),
       mBlock(device, sizeof(BeamParams)), mCounts(device, kBeamCounts * 4),
       mBooks(device, std::int64_t{kBooks} * kBookSlots * 3 * 4),
-      mCells(device, kCellBytes * kBeamsPerCut * kCellsPerBeam), mDomain{dvec3(-0.5),
-                                                                         dvec3(plan.scene.size()) -
-                                                                             0.5},
+      mCells(device, kCellBytes * kCellsPerCut), mDomain{dvec3(-0.5),
+                                                         dvec3(plan.scene.size()) - 0.5},
       mMapCells(cellsOf(params)), mBranchBits(plan.polarises() ? 2 : 1),
       mManyObjects(scene::areMany(plan.scene.objects)),
-      mAimsEverywhere(!plan.scene.sharp || plan.bends) {
+      mAimsEverywhere(!plan.scene.sharp || plan.bends), mShifts(shifts(plan, params)),
+      mBeamsPerCut(kCellsPerCut / kCellsPerBeam / (mShifts ? kMostShifts : 1)) {
     for (size_t k = 0; k < plan.scene.objects.size(); ++k) {
         const volume::IndexBox& box = plan.scene.objects[k].inside;
         if (box.empty()) continue;
@@ -226,11 +240,14 @@ void Beams::grow(Run& run, Generation& of, std::int64_t points) {
         if (of.count > 0) larger.copyFrom(buffer, of.count * each);
         buffer = std::move(larger);
     };
-    enlarge(of.points, kPointBytes, false);
+    for (Rays* rays : {&of.middle, &of.shifted}) {
+        if (rays == &of.shifted && !mShifts) continue;
+        enlarge(rays->points, kPointBytes, false);
+        if (mManyObjects) enlarge(rays->objects, kBytesPerSet, false);
+    }
     enlarge(of.marks, 4, true);
     enlarge(of.slots, std::int64_t{4} << mBranchBits, false);
     enlarge(of.wanted, std::int64_t{4} << mBranchBits, false);
-    if (mManyObjects) enlarge(of.objects, kBytesPerSet, false);
     of.capacity = capacity;
 }
 
@@ -246,35 +263,46 @@ void Beams::trace(Run& run, Generation& of, std::int64_t items, std::int64_t fir
     run.transport.bind();
     run.media.bind();
     if (run.leaves.name() != 0) run.leaves.bindSampler(kLeavesUnit);
-    of.points.bindStorage(kPointsBuffer);
-    if (mManyObjects) of.objects.bindStorage(kObjectsBuffer);
+    if (before != nullptr) before->wanted.bindStorage(kWantedBuffer);
+    dispatch(run, of.middle, before != nullptr ? &before->middle : nullptr, items);
+    if (mShifts) {
+        if (before == nullptr)
+            of.shifted.points.copyFrom(of.middle.points, items * kPointBytes, first * kPointBytes);
+        run.transport.setLines(mShifted);
+        dispatch(run, of.shifted, before != nullptr ? &before->shifted : nullptr, items);
+        run.transport.setLines(mMiddle);
+    }
+    run.device.check("beams");
+}
+
+void Beams::dispatch(Run& run, Rays& rays, const Rays* before, std::int64_t items) {
+    rays.points.bindStorage(kPointsBuffer);
+    if (mManyObjects) rays.objects.bindStorage(kObjectsBuffer);
     if (before != nullptr) {
         before->points.bindStorage(kParentsBuffer);
-        before->wanted.bindStorage(kWantedBuffer);
         if (mManyObjects) before->objects.bindStorage(kParentObjectsBuffer);
     }
     run.profiler.begin("beam rays");
     dispatchList(mTrace, items);
     run.profiler.end();
-    run.device.check("beams");
     run.points += static_cast<double>(items);
 }
 
 /// Lays the beams of the list that is bound down, some thousands at a time.
-void Beams::layDown(Run& run, std::uint32_t beams) {
+void Beams::layDown(Run& run, const Generation& of, std::uint32_t beams) {
     const uvec4 list = mParams.list;
     run.surfaces.bind();
     mCells.bindStorage(kCellsBuffer);
-    for (std::uint32_t first = 0; first < beams; first += kBeamsPerCut) {
+    if (mShifts) of.shifted.points.bindStorage(kShiftedBuffer);
+    for (std::uint32_t first = 0; first < beams; first += mBeamsPerCut) {
         std::array<std::uint32_t, kBeamCounts> counts{};
         mCounts.upload(counts.data(), mCounts.bytes());
-        const std::uint32_t capacity = kBeamsPerCut * kCellsPerBeam;
-        mParams.list = uvec4(std::min(beams - first, kBeamsPerCut), first, capacity, list.w);
+        mParams.list = uvec4(std::min(beams - first, mBeamsPerCut), first, kCellsPerCut, list.w);
         mBlock.upload(&mParams, sizeof mParams);
         dispatchList(mCut, mParams.list.x);
         mCounts.download(counts.data(), mCounts.bytes());
         const std::uint32_t whole = counts[kCellCount], broken = counts[kBrokenCellCount];
-        mParams.list = uvec4(whole + broken, whole, capacity, list.w);
+        mParams.list = uvec4(whole + broken, whole, kCellsPerCut, list.w);
         mBlock.upload(&mParams, sizeof mParams);
         dispatchList(mDeposit, mParams.list.x);
         mCounts.download(counts.data(), mCounts.bytes());
@@ -307,7 +335,8 @@ void Beams::sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begi
     mParams.generation.x = static_cast<unsigned>(of.length);
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
-    of.points.bindStorage(kPointsBuffer);
+    of.middle.points.bindStorage(kPointsBuffer);
+    if (mShifts) of.shifted.points.bindStorage(kShiftedBuffer);
     of.marks.bindStorage(kBranchesBuffer);
     of.wanted.bindStorage(kWantedBuffer);
     of.slots.bindStorage(kSlotsBuffer);
@@ -329,7 +358,7 @@ void Beams::sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begi
     if (next.count > 0) of.next.push_back(std::move(next));
     if (counts[kBeamCount] > 0) {
         run.profiler.begin("beams");
-        layDown(run, counts[kBeamCount]);
+        layDown(run, of, counts[kBeamCount]);
         run.profiler.end();
     }
     const std::int64_t all = counts[kSplitCount], kept = of.count;
@@ -344,7 +373,7 @@ void Beams::sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begi
         mParams.list = uvec4(part, first, kept, mParams.list.w);
         mBlock.upload(&mParams, sizeof mParams);
         mBlock.bindUniform(kParamsBlock);
-        of.points.bindStorage(kPointsBuffer);
+        of.middle.points.bindStorage(kPointsBuffer);
         nodes.list.bindStorage(kNodesBuffer);
         splits.bindStorage(kSplitsBuffer);
         children.list.bindStorage(kNextNodesBuffer);
@@ -395,11 +424,12 @@ void Beams::follow(Run& run, Generation& of, bool last) {
     follow(run, after, true);
 }
 
-bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
+bool Beams::carry(gpu::Device& device, scene::Transport& transport, const Media& media,
                   const gpu::Texture& leaves, const SurfaceReceiver& surfaces, const Window& window,
                   const Batch& batch, double unit, BeamEnergy& energy, gpu::Profiler& profiler,
                   Stats& stats) {
     Run run{device, transport, media, leaves, surfaces, profiler};
+    transport.setLines(mMiddle);
     mParams.limits.z = static_cast<float>(unit);
     mParams.levels.y = batch.cells.x / kStart;
     mParams.levels.z = batch.cells.y / kStart;
@@ -427,7 +457,7 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     Nodes nodes{gpu::Buffer(device, cells * kNodeBytes), cells};
     mBlock.upload(&mParams, sizeof mParams);
     mBlock.bindUniform(kParamsBlock);
-    first.points.bindStorage(kPointsBuffer);
+    first.middle.points.bindStorage(kPointsBuffer);
     nodes.list.bindStorage(kNodesBuffer);
     dispatchList(mGrid, points);
     trace(run, first, points, 0, nullptr);
@@ -450,8 +480,20 @@ bool Beams::carry(gpu::Device& device, const scene::Transport& transport, const 
     return true;
 }
 
-void Beams::begin(const glm::dvec3& colour) {
+void Beams::begin(const glm::dvec3& colour, const optics::Band& band) {
     mParams.map = vec4(0, colour);
+    mMiddle.assign(optics::kLinesPerBand, band.middle);
+    if (!mShifts) return;
+    std::vector<double> wavelengths = band.spread;
+    std::sort(wavelengths.begin(), wavelengths.end());
+    const auto termFrom = [&](double wavelength) {
+        return optics::cauchyTerm(wavelength) - optics::cauchyTerm(band.middle.wavelength);
+    };
+    mShifted.assign(optics::kLinesPerBand, {wavelengths.back(), band.middle.weight});
+    static_assert(2 * kMostShifts == optics::kLinesPerBand);
+    for (int i = 0; i < optics::kLinesPerBand; ++i)
+        mParams.shifts[i / 4][i % 4] = static_cast<float>(
+            termFrom(wavelengths[static_cast<size_t>(i)]) / termFrom(wavelengths.back()));
 }
 
 std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
@@ -459,13 +501,15 @@ std::vector<gpu::Need> beamNeeds(const Plan& plan, const Params& params) {
     const std::int64_t cells =
         std::min<std::int64_t>(wanted > 0 ? wanted : kMostCells, kBatchCells * kBatchCells);
     const std::int64_t branches = plan.polarises() ? 4 : 2;
-    const std::int64_t point = kPointBytes + 4 + 2 * 4 * branches +
-                               (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
+    const std::int64_t rays = kPointBytes + (scene::areMany(plan.scene.objects) ? kBytesPerSet : 0);
+    const std::int64_t points = std::min(16 * 4 * cells, kMostPoints);
     // Of one generation, with those of cells that are split, and of the next.
-    const std::int64_t generation = std::min(16 * 4 * cells, kMostPoints) * point;
+    const std::int64_t generation = points * (rays + 4 + 2 * 4 * branches);
+    const std::int64_t shifted = shifts(plan, params) ? 2 * points * rays : 0;
     return {{"the beams", generation, true, 0},
             {"the beams that go on", generation, true, 0},
-            {"the beams' cells", kCellBytes * kBeamsPerCut * kCellsPerBeam, true, 0}};
+            {"the beams of a second wavelength", shifted, false, 0},
+            {"the beams' cells", kCellBytes * kCellsPerCut, true, 0}};
 }
 
 } // namespace eikonal::lightsim

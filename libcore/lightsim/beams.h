@@ -11,6 +11,7 @@
 #include "lightsim/photon_map.h"
 #include "lightsim/plan.h"
 #include "lightsim/surfaces.h"
+#include "optics/bands.h"
 
 namespace eikonal::lightsim {
 
@@ -34,25 +35,27 @@ public:
     };
     static std::vector<Batch> batchesOf(const Window& window);
 
-    /// Before a source's batches: its RGB over their sum.
-    void begin(const glm::dvec3& colour);
+    /// Before a source's batches: its RGB over their sum, and the light's wavelengths.
+    void begin(const glm::dvec3& colour, const optics::Band& band);
 
     /// Carries a batch to the surfaces. `unit` of fixed point stands for all power of a
     /// cell. Returns whether every sum held it, and what became of the power [cells].
-    bool carry(gpu::Device& device, const scene::Transport& transport, const Media& media,
+    bool carry(gpu::Device& device, scene::Transport& transport, const Media& media,
                const gpu::Texture& leaves, const SurfaceReceiver& surfaces, const Window& window,
                const Batch& batch, double unit, BeamEnergy& energy, gpu::Profiler& profiler,
                Stats& stats);
 
 private:
     struct Nodes;
+    struct Rays;
     struct Generation;
     struct Run;
     std::vector<glm::dvec4> aimsIn(const Window& window) const;
     void aim(const Window& window, const Batch& batch);
     void trace(Run& run, Generation& of, std::int64_t items, std::int64_t first,
                const Generation* before);
-    void layDown(Run& run, std::uint32_t beams);
+    void dispatch(Run& run, Rays& rays, const Rays* before, std::int64_t items);
+    void layDown(Run& run, const Generation& of, std::uint32_t beams);
     void level(Run& run, Generation& of, const Nodes& nodes);
     void sort(Run& run, Generation& of, const Nodes& nodes, std::int64_t begin, std::int64_t count);
     void follow(Run& run, Generation& of, bool last);
@@ -66,6 +69,9 @@ private:
     int mBranchBits;        ///< that tell a branch taken at an interface
     bool mManyObjects;
     bool mAimsEverywhere; ///< no part of a map is simple
+    bool mShifts;         ///< a band's wavelengths land at other places than its middle does
+    std::uint32_t mBeamsPerCut;
+    std::vector<optics::Line> mMiddle, mShifted; ///< what rays are traced by
 
     struct Body {
         VoxelBox box;

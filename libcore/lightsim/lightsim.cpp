@@ -114,7 +114,7 @@ Unit ofBand(Unit unit, const optics::Band& band) {
     return unit;
 }
 
-/// Beams and fronts are of the band's middle wavelength alone, photons of all about it.
+/// Fronts are of the band's middle wavelength alone, photons of all about it; beams take both.
 void takeMiddle(Run& run, const optics::Band& band) {
     run.transport.setLines(std::vector<optics::Line>(optics::kLinesPerBand, band.middle));
 }
@@ -232,7 +232,7 @@ void sendBeams(Run& run, const Source& source, const optics::Band& band, size_t 
                const Progress& progress) {
     const double h = run.plan.scene.voxelSize();
     const std::vector<Window> windows = run.beams->windowsOf(source, sources);
-    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z));
+    run.beams->begin(source.rgb / (source.rgb.x + source.rgb.y + source.rgb.z), band);
     for (size_t w = 0; w < windows.size(); ++w) {
         const Unit whole{source.rgb, windows[w].pixelArea() * (source.isPoint() ? 1.0 : h * h),
                          source.isPoint()};
@@ -329,7 +329,6 @@ void sendLight(Run& run, const Light& light, const Progress& progress) {
     if (beams) {
         const std::vector<Source> all = sources(Method::beams);
         eachBand(next(), [&](const optics::Band& band, const Progress& rest) {
-            takeMiddle(run, band);
             sendEach(all, rest, [&](const Source& source, const Progress& part) {
                 sendBeams(run, source, band, all.size(), part);
             });

@@ -27,7 +27,7 @@ static_assert(sizeof(SurfacePoint) == 32);
 static_assert(sizeof(PointLight) == 32);
 static_assert(sizeof(BeamPoint) == 80);
 static_assert(sizeof(BeamNode) == 64);
-static_assert(sizeof(BeamParams) == 304);
+static_assert(sizeof(BeamParams) == 560);
 static_assert(sizeof(FrontParams) == 144);
 static_assert(sizeof(FrontCorner) == 64);
 static_assert(sizeof(FrontPatch) == 48);

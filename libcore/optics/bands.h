@@ -17,6 +17,8 @@ struct Wavelengths {
 
     /// Whether light of more than the reference's wavelength is traced.
     bool disperse() const { return !list.empty() || count > 1; }
+    /// Whether a part of the light has more than one.
+    bool spread() const { return list.empty() && count > 1; }
     double shortest() const { return list.empty() ? kShortest : list.front(); } ///< [nm]
     double longest() const { return list.empty() ? kLongest : list.back(); }    ///< [nm]
     /// "8 from 380 to 730 nm", "486.1 nm".

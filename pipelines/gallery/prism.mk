@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 NAME := prism
 SIZE ?= 480x272
-WALL ?= 64
+WALL ?= 16
 include pipelines/gallery/common.mk
 picture: $(OUT)/prism.png
 .PHONY: picture

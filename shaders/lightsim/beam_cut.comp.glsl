@@ -7,9 +7,16 @@
 #include "shared/beam_params.h"
 #include "shared/bindings.h"
 
+#ifndef DISPERSION
+#error DISPERSION must be 0 or 1
+#endif
+
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
 layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
+#if DISPERSION == 1
+layout(std430, binding = kShiftedBuffer) readonly buffer Shifted { BeamPoint shifted[]; };
+#endif
 layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
 layout(std430, binding = kBeamsBuffer) readonly buffer Beams { uint beams[]; };
 layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
@@ -45,6 +52,23 @@ int cellsAlong(vec3 place[9], float weight[9], int step, int row, float longest,
     return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
 }
 
+// How many places light is laid down at where its wavelengths land at other ones than their middle's: so many that
+// they are a fine voxel apart, a power of two, told by its exponent.
+int shiftsOf(BeamNode node) {
+#if DISPERSION == 1
+    float widest = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        if (node.state.x == 1u && i != 4) continue;
+        BeamPoint point = points[pointOf(node, i)];
+        BeamPoint there = shifted[pointOf(node, i)];
+        if (landTogether(point, there)) widest = max(widest, distance(point.place.xyz, there.place.xyz));
+    }
+    return clamp(int(ceil(log2(2.0 * widest * float(params.size.w)))), 0, int(log2(float(kMostShifts))));
+#else
+    return 0;
+#endif
+}
+
 void main() {
     uint item = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x << 6);
     if (item >= params.list.x) return;
@@ -70,14 +94,15 @@ void main() {
         count.x = cellsAlong(place, weight, 1, 3, longest, care);
         count.y = cellsAlong(place, weight, 3, 1, longest, care);
     }
+    int shifts = shiftsOf(node);
     // Those of beams from the front, others from the back, so that vectors are of one kind.
-    uint all = uint(count.x * count.y);
+    uint all = uint(count.x * count.y) << shifts;
     uint first = atomicAdd(counts[broken ? kBrokenCellCount : kCellCount], all);
     uint i = 0u;
     for (int y = 0; y < count.y; ++y)
-        for (int x = 0; x < count.x; ++x) {
-            uint at = first + i++;
-            cells[broken ? params.list.z - 1u - at : at] =
-                uvec2(entry, uint(x | y << 8 | count.x << 16 | count.y << 24));
-        }
+        for (int x = 0; x < count.x; ++x)
+            for (int k = 0; k < 1 << shifts; ++k) {
+                uint at = first + i++;
+                cells[broken ? params.list.z - 1u - at : at] = uvec2(entry, packedPart(ivec2(x, y), count, k, shifts));
+            }
 }

@@ -11,13 +11,16 @@
 #include "shared/bindings.h"
 #include "transport/status.glsl"
 
-#if !defined(CHANNELS) || !defined(SURFACE_FLOW)
-#error CHANNELS must be 1 or 3, SURFACE_FLOW 0 or 1
+#if !defined(CHANNELS) || !defined(SURFACE_FLOW) || !defined(DISPERSION)
+#error CHANNELS must be 1 or 3, SURFACE_FLOW and DISPERSION 0 or 1
 #endif
 
 layout(local_size_x = 64) in;
 layout(std140, binding = kParamsBlock) uniform Params { BeamParams params; };
 layout(std430, binding = kPointsBuffer) readonly buffer Points { BeamPoint points[]; };
+#if DISPERSION == 1
+layout(std430, binding = kShiftedBuffer) readonly buffer Shifted { BeamPoint shifted[]; };
+#endif
 layout(std430, binding = kNodesBuffer) readonly buffer Nodes { BeamNode nodes[]; };
 layout(std430, binding = kCellsBuffer) readonly buffer Cells { uvec2 cells[]; };
 layout(std430, binding = kBeamCountsBuffer) buffer Counts { uint counts[]; };
@@ -148,6 +151,29 @@ vec3 directionOf(BeamPoint point) {
     return fromOctahedral(unpackSnorm2x16(uint(point.map.z)));
 }
 
+// Where light is laid down, from where the band's middle lands to where that of the other wavelength does.
+float shift = 0.0;
+
+// The middle of one of 2^shifts parts of the band that have the same light.
+float shiftOf(int part, int shifts) {
+    int all = 2 * kMostShifts;
+    int i = (2 * part + 1) * (all / 2 >> shifts);
+    return 0.5 * (params.shifts[i - 1 >> 2][i - 1 & 3] + params.shifts[i >> 2][i & 3]);
+}
+
+// From the one to the other [voxel], if both are on the same surface.
+vec3 driftOf(uint id, inout int known) {
+#if DISPERSION == 1
+    BeamPoint point = points[id];
+    BeamPoint there = shifted[id];
+    if (landTogether(point, there)) {
+        ++known;
+        return there.place.xyz - point.place.xyz;
+    }
+#endif
+    return vec3(0.0);
+}
+
 // What a point that landed has of a share of the light.
 Light lightAt(BeamPoint point, float share) {
     return lightOf(share * point.weight.xyz, kFlow ? directionOf(point) : vec3(0.0), params.map.yzw);
@@ -198,13 +224,17 @@ Pieces quarterOf(BeamNode node, ivec2 quarter, float unit) {
         else same = same && corner[i].event.y == met;
     }
     if (landed < 3 || !same) return pieces;
+    int known = 0;
+    vec3 drift = vec3(0.0); // the mean of those known: parts of a triangle go together
+    for (int i = 0; i < 4; ++i) drift += driftOf(ids[i], known);
+    drift *= shift / float(max(known, 1));
     int a = landed == 4 ? 0 : (missing + 1) & 3;
     pieces.points = 0;
     pieces.triangles = landed - 2;
     pieces.axis = axisOf(corner[a].wave.xyz);
     vec3 at[4];
     for (int i = 0; i < 4; ++i) {
-        at[i] = turnedTo(pieces.axis, (corner[i].place.xyz + 0.5) * float(surface.size.w));
+        at[i] = turnedTo(pieces.axis, (corner[i].place.xyz + drift + 0.5) * float(surface.size.w));
         if (corner[i].event.x != uint(kStopped)) continue;
         Light more = lightAt(corner[i], pieces.share);
         pieces.light.power += more.power;
@@ -216,6 +246,25 @@ Pieces quarterOf(BeamNode node, ivec2 quarter, float unit) {
     pieces.c = at[(a + 2) & 3];
     pieces.d = at[(a + 3) & 3];
     return pieces;
+}
+
+// Shifts a beam's points. One whose other wavelength went elsewhere goes as the others do in the mean.
+void addDrifts(inout vec3 place[9], BeamNode node, float fine) {
+#if DISPERSION == 1
+    int all = 0;
+    bool isKnown[9];
+    vec3 drift[9];
+    vec3 mean = vec3(0.0);
+    for (int i = 0; i < 9; ++i) {
+        int known = 0;
+        drift[i] = driftOf(pointOf(node, i), known);
+        isKnown[i] = known == 1;
+        all += known;
+        mean += drift[i];
+    }
+    mean /= float(max(all, 1));
+    for (int i = 0; i < 9; ++i) place[i] += shift * fine * (isKnown[i] ? drift[i] : mean);
+#endif
 }
 
 // A cell of a beam, one of `count` along its sides.
@@ -231,12 +280,14 @@ Pieces cellOf(BeamNode node, ivec2 cell, ivec2 count, float unit) {
 #endif
     for (int i = 0; i < 9; ++i) {
         BeamPoint point = points[pointOf(node, i)];
-        place[i] = turnedTo(pieces.axis, (point.place.xyz + 0.5) * fine);
+        place[i] = (point.place.xyz + 0.5) * fine;
         weight[i] = point.weight.xyz;
 #if SURFACE_FLOW == 1
         travel[i] = directionOf(point);
 #endif
     }
+    addDrifts(place, node, fine);
+    for (int i = 0; i < 9; ++i) place[i] = turnedTo(pieces.axis, place[i]);
     vec2 size = 1.0 / vec2(count);
     vec2 at = vec2(cell) * size;
     pieces.a = valueIn(place, at);
@@ -257,7 +308,9 @@ uint lay(Pieces pieces, inout float phase) {
     for (int i = 0; i < pieces.points; ++i) {
         BeamPoint point = points[pieces.point[i]];
         if (point.event.x != uint(kStopped)) continue;
-        put(fineVoxelAt(point.place.xyz), axisOf(point.wave.xyz), lightAt(point, pieces.share), phase);
+        int known = 0;
+        vec3 at = point.place.xyz + shift * driftOf(pieces.point[i], known);
+        put(fineVoxelAt(at), axisOf(point.wave.xyz), lightAt(point, pieces.share), phase);
         ++deposits;
     }
     for (int i = 0; i < pieces.triangles; ++i)
@@ -271,17 +324,25 @@ void main() {
     if (item >= params.list.x) return;
     // Those of beams come first, others from the list's end.
     uvec2 task = cells[item < params.list.y ? item : params.list.z - 1u - (item - params.list.y)];
-    ivec4 part = ivec4(task.y & 255u, task.y >> 8 & 255u, task.y >> 16 & 255u, task.y >> 24);
+    ivec2 cell = ivec2(task.y & 15u, task.y >> 4 & 15u);
+    ivec2 count = ivec2(task.y >> 8 & 15u, task.y >> 12 & 15u) + 1;
     BeamNode node = nodes[task.x & 0x7FFFFFFFu];
     float edge = float(node.place.z) / float(params.levels.x);
     float unit = params.limits.z * edge * edge;
-    uint which = uint(16 * part.y + part.x);
+    uint which = uint(16 * cell.y + cell.x);
+#if DISPERSION == 1
+    int step = int(task.y >> 16 & 255u);
+    int shifts = int(task.y >> 24);
+    shift = shiftOf(step, shifts);
+    unit /= float(1 << shifts);
+    which ^= pcgHash(uint(step));
+#endif
     uint place = pcgHash(uint(node.place.y) ^ pcgHash(256u * params.generation.z + which));
     float phase = uniformOf(pcgHash(uint(node.place.x) ^ place));
     Pieces pieces;
-    if (task.x < 0x80000000u) pieces = cellOf(node, part.xy, part.zw, unit);
+    if (task.x < 0x80000000u) pieces = cellOf(node, cell, count, unit);
     else if (node.state.x == 1u) // it came so from the interface before, and its middle is all there is
         pieces = onePoint(node.second.x, unit * uintBitsToFloat(node.state.z));
-    else pieces = quarterOf(node, part.xy, unit);
+    else pieces = quarterOf(node, cell, unit);
     atomicAdd(counts[kDepositCount], lay(pieces, phase));
 }

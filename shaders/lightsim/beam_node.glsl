@@ -1,6 +1,7 @@
 // The nine points of a cell of the light's map, three by three, row by row.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/beam_params.h"
+#include "transport/status.glsl"
 
 uint pointOf(BeamNode node, int i) {
     return i < 4 ? node.first[i] : i < 8 ? node.second[i - 4] : uint(node.place.w);
@@ -13,6 +14,16 @@ int packedPlace(ivec2 map) {
 
 ivec2 placeFrom(int word) {
     return ivec2(word & 0xFFFF, word >> 16);
+}
+
+// Whether the light of a point, and that of another wavelength beside it, fall on the same surface.
+bool landTogether(BeamPoint point, BeamPoint there) {
+    return point.event.x == uint(kStopped) && there.event.xy == point.event.xy;
+}
+
+// A part of a beam in one word: which of so many, up to 16 along each side, at which of 2^shifts places.
+uint packedPart(ivec2 cell, ivec2 count, int shift, int shifts) {
+    return uint(cell.x | cell.y << 4 | count.x - 1 << 8 | count.y - 1 << 12 | shift << 16 | shifts << 24);
 }
 
 // A point's share of a cell (Simpson's rule).

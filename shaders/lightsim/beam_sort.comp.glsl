@@ -10,8 +10,8 @@
 #include "shared/limits.h"
 #include "transport/status.glsl"
 
-#if !defined(CHANNELS) || !defined(CULLS) || !defined(CRYSTALS)
-#error CHANNELS must be 1 or 3, CULLS 0 or 1, CRYSTALS 0 to 2
+#if !defined(CHANNELS) || !defined(CULLS) || !defined(CRYSTALS) || !defined(DISPERSION)
+#error CHANNELS must be 1 or 3, CULLS and DISPERSION 0 or 1, CRYSTALS 0 to 2
 #endif
 const bool kCrystals = CRYSTALS > 0; // an interface has four branches
 const bool kCulls = CULLS == 1; // some surfaces receive nothing
@@ -33,6 +33,9 @@ layout(std430, binding = kSlotsBuffer) writeonly buffer Slots { uint slots[]; };
 
 #if CULLS == 1
 layout(std430, binding = kReceivingBuffer) readonly buffer Receiving { uint receiving[]; };
+#if DISPERSION == 1
+layout(std430, binding = kShiftedBuffer) readonly buffer Shifted { BeamPoint shifted[]; };
+#endif
 #endif
 
 const int kSmallest = 2; // edge of a cell whose middle is a place on the map
@@ -104,10 +107,19 @@ bool isReceived(vec3 low, vec3 high) {
 #endif
 }
 
+// How far from a point its light may be laid down [voxel].
+float reachOf(uint id) {
+#if CULLS == 1 && DISPERSION == 1
+    BeamPoint there = shifted[id];
+    if (landTogether(points[id], there)) return 1.0 + distance(points[id].place.xyz, there.place.xyz);
+#endif
+    return 1.0;
+}
+
 // Whether nothing more becomes of a point's light: it is on its way nowhere, or on a surface that none asks for.
-bool isIdle(BeamPoint point) {
+bool isIdle(BeamPoint point, float reach) {
     int status = int(point.event.x);
-    if (kCulls && status == kStopped) return !isReceived(point.place.xyz - 1.0, point.place.xyz + 1.0);
+    if (kCulls && status == kStopped) return !isReceived(point.place.xyz - reach, point.place.xyz + reach);
     return status != kStopped && status != kMeets;
 }
 
@@ -145,7 +157,8 @@ void main() {
     float edge = float(node.place.z) / float(params.levels.x);
     float area = edge * edge;
     bool agree = true;
-    bool idle = isIdle(middle);
+    float farthest = reachOf(node.second.x);
+    bool idle = isIdle(middle, farthest);
     int idlePoints = idle ? 1 : 0;
     vec3 low = middle.place.xyz;
     vec3 high = low;
@@ -161,7 +174,9 @@ void main() {
         int its = int(point.event.x);
         agree = agree && its == status && point.event.y == middle.event.y;
         if (i != 4) {
-            bool leadsNowhere = isIdle(point);
+            float reach = reachOf(pointOf(node, i));
+            bool leadsNowhere = isIdle(point, reach);
+            farthest = max(farthest, reach);
             idle = idle && leadsNowhere;
             idlePoints += leadsNowhere ? 1 : 0;
         }
@@ -192,7 +207,7 @@ void main() {
         float bends = (smoothly ? kMostBend : kCreasedBend) * inversesqrt(bright) * extent;
         float most = min(sqrt(params.limits.w * extent) / bright, bends);
         split = bend > max(most, kFlat) || extent > float(params.levels.w);
-        vec3 reach = vec3(1.0 + bend / fine);
+        vec3 reach = vec3(farthest + bend / fine);
         if (kCulls && !isReceived(low - reach, high + reach)) {
             split = false;
             landed = 0;

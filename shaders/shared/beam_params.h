@@ -4,6 +4,7 @@
 
 const int kMostAims = 4;
 const int kAimedLevels = 2; // a starting cell is split so often where the light's map is aimed at
+const int kMostShifts = 32; // places that a band's light is laid down at for every one where its middle lands
 
 // Of the kernels that lay out surface voxels and make irradiance.
 struct LayoutParams {
@@ -72,6 +73,8 @@ struct BeamParams {
     vec4 axis;    // axis, cone and polarizer as EmissionParams's
     vec4 cone;
     vec4 polarizer;
+    vec4 shifts[2 * kMostShifts / 4]; // wavelengths of a band that have the same light each, in ascending order: how far
+                  // each is from its middle, 1: as far as the wavelength of kShiftedBuffer
 };
 
 const uint kNewPoints = 16u; // that four cells need in place of one, beside its own

@@ -74,6 +74,7 @@ const int kBrickListBuffer = 0; // resolve.comp, smooth.comp: the bricks that re
 const int kOpacityFieldUnit = 6;     // of blurred media
 const int kPointsBuffer = 0;         // BeamPoint
 const int kParentsBuffer = 1;        // those of the generation before
+const int kShiftedBuffer = 1;        // beam_cut.comp, beam_deposit.comp: BeamPoint, of another wavelength
 const int kBranchesBuffer = 2;       // of points at an interface, bits: the branches that they go on by
 const int kNodesBuffer = 3;          // BeamNode
 const int kBeamsBuffer = 4;          // nodes to be laid down
