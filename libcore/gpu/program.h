@@ -46,6 +46,7 @@ public:
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;
 
+    bool empty() const { return mName == 0; }
     void use() const;
     /// Runs enough work groups for `items` work items (x, y, z).
     void dispatch(glm::ivec3 items) const;

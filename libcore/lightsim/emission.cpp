@@ -27,6 +27,9 @@ gpu::Switches switchesOf(const Plan& plan, const Params& params) {
 constexpr double kPhotonEdge = 1.0 / 6;
 constexpr std::int64_t kMostPhotons = 1 << 24;
 
+// Edge of the tiles of a map that are aimed at or not [pixel].
+constexpr int kTile = 16;
+
 /// The interleaved parts of a window, none of more than kBatchPixels.
 std::vector<Part> interleaved(const Window& window, unsigned number) {
     const double pixels = static_cast<double>(window.pixels.x) * window.pixels.y;
@@ -85,11 +88,15 @@ std::int64_t Batch::pixels() const {
 
 Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
     : mMapProgram(device, "lightsim/map.vert.glsl", "lightsim/map.frag.glsl", {}),
-      mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)),
-      mBlock(device, sizeof(EmissionParams)), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5},
-      mTarget(mDomain), mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
+      mProgram(device, "lightsim/emit.comp.glsl", switchesOf(plan, params)), mDevice(device),
+      mBlock(device, sizeof(EmissionParams)), mTiles(device, 4),
+      mAims(plan), mDomain{dvec3(-0.5), dvec3(plan.scene.size()) - 0.5}, mTarget(mDomain),
+      mVoxelSize(plan.scene.voxelSize()), mSeed(params.seed),
       mManyObjects(scene::areMany(plan.scene.objects)), mPolarises(plan.polarises()),
       mSourcesDiffer(plan.sourcesDiffer), mStartsOnDomain(params.proxy.empty()) {
+    const auto voxel = static_cast<float>(mVoxelSize);
+    mAbsorption = vec4(voxel * plan.scene.medium().absorption.value, 0);
+    mScattering = vec4(voxel * plan.scene.medium().scattering.value, 0);
     std::vector<glm::vec4> corners;
     if (params.proxy.empty()) {
         corners = trianglesOf(mDomain);
@@ -108,7 +115,7 @@ Emission::Emission(gpu::Device& device, const Plan& plan, const Params& params)
 }
 
 std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Params& params,
-                                    double receivers) const {
+                                    double receivers, bool aimed) const {
     // The plastic number's powers spread successive seeds evenly over a pixel.
     const dvec2 seeded =
         static_cast<double>(params.seed) * dvec2(0.7548776662466927, 0.5698402909980532);
@@ -117,23 +124,31 @@ std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Pa
         params.photons > 0 ? std::max<std::int64_t>(params.photons / count, 1) : 0,
         kPhotonEdge / receivers * std::sqrt(static_cast<double>(count)), kMostPhotons / count};
     std::vector<Part> parts;
+    // Of a light of many sources each would look at all voxels for its few photons.
+    const bool aims = aimed && !mAims.everywhere() && mStartsOnDomain && sources.size() == 1;
     for (unsigned k = 0; k < sources.size(); ++k) {
         const dvec2 shift = glm::fract(seeded + shiftOf(k));
         for (const Window& window : lightsim::windowsOf(sources[k], mTarget, mDomain, detail, shift,
-                                                        !params.proxy.empty()))
-            for (Part& part : interleaved(window, k))
+                                                        !params.proxy.empty())) {
+            std::shared_ptr<const AimedMap> map;
+            if (aims && !window.startsAtLight)
+                map = std::make_shared<AimedMap>(mAims.mapOf(window, kTile));
+            for (Part& part : interleaved(window, k)) {
+                part.aimed = map;
                 if (part.pixels() > 0) parts.push_back(std::move(part));
+            }
+        }
     }
     return parts;
 }
 
 std::vector<Batch> Emission::batchesOf(const std::vector<Source>& sources, const Params& params,
-                                       double receivers) const {
+                                       double receivers, bool aimed) const {
     const double voxelArea = mVoxelSize * mVoxelSize;
     std::vector<Batch> batches;
     std::vector<Part> some;
     std::int64_t pixels = 0;
-    for (Part& part : partsOf(sources, params, receivers)) {
+    for (Part& part : partsOf(sources, params, receivers, aimed)) {
         if (sources.size() == 1) {
             const bool point = part.window.point;
             const double power = part.area * (point ? 1.0 : voxelArea);
@@ -152,32 +167,64 @@ std::vector<Batch> Emission::batchesOf(const std::vector<Source>& sources, const
     return batches;
 }
 
-void Emission::emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons) {
-    const Window& window = part.window;
+/// What a window alone tells.
+EmissionParams Emission::paramsOf(const Window& window) const {
     EmissionParams values{};
     values.clipFromVoxel = mat4(window.clipFromVoxel());
     values.right = vec4(window.right, 0);
     values.up = vec4(window.up, 0);
     values.forward = vec4(window.forward, 0);
     values.window = vec4(window.low, window.extent);
-    const bool onFaces = mSourcesDiffer && mStartsOnDomain;
-    values.origin = vec4(window.origin, window.startsAtLight ? 1 : onFaces ? 2 : 0);
+    values.origin = vec4(window.origin, 0);
     values.low = vec4(mDomain.low, 0);
     values.high = vec4(mDomain.high, 0);
-    values.weight = vec4(window.point ? 1 : 0, part.weight);
-    values.map = ivec4(window.pixels, static_cast<int>(mSeed + 0x9E3779B9u * part.number),
-                       static_cast<int>(first));
-    values.batch = part.place;
+    values.weight = vec4(window.point ? 1 : 0, 1, 1, 1);
+    values.map = ivec4(window.pixels, 0, 0);
+    values.batch = ivec4(0, 0, 1, 0);
     values.axis = axisOf(window.source);
+    values.cone = coneOf(window.source);
+    values.absorption = mAbsorption;
+    values.scattering = mScattering;
+    values.tiles = ivec4(kTile, 0, 0, 0);
+    return values;
+}
+
+void Emission::bindTiles(const AimedMap* map) {
+    if (map != nullptr) {
+        const auto bytes = static_cast<std::int64_t>(map->tiles.size() * sizeof(std::uint32_t));
+        if (mTiles.bytes() < bytes) mTiles = gpu::Buffer(mDevice, bytes);
+        mTiles.upload(map->tiles.data(), bytes);
+    }
+    mTiles.bindStorage(kAimsBuffer);
+}
+
+void Emission::bindPlain(const AimedMap& map) {
+    EmissionParams values = paramsOf(map.window);
+    values.tiles.y = map.across;
+    mBlock.upload(&values, sizeof values);
+    mBlock.bindUniform(kEmissionBlock);
+    bindTiles(&map);
+}
+
+void Emission::emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons) {
+    const Window& window = part.window;
+    EmissionParams values = paramsOf(window);
+    const bool onFaces = mSourcesDiffer && mStartsOnDomain;
+    values.origin.w = window.startsAtLight ? 1 : onFaces ? 2 : 0;
+    values.weight = vec4(values.weight.x, part.weight);
+    values.map.z = static_cast<int>(mSeed + 0x9E3779B9u * part.number);
+    values.map.w = static_cast<int>(first);
+    values.batch = part.place;
+    values.tiles.y = part.aimed ? part.aimed->across : 0;
     // Windows of points are not shifted: their rays are, within the pixels.
     const bool shifts = window.point && (onFaces || window.startsAtLight);
     const dvec2 inPixel = shifts ? glm::fract(0.5 + shiftOf(part.number)) : dvec2(0.5);
     values.polarizer = vec4(window.source.polarizer, 0);
-    values.cone = coneOf(window.source);
     values.cone.z = static_cast<float>(inPixel.x);
     values.cone.w = static_cast<float>(inPixel.y);
     mBlock.upload(&values, sizeof values);
     mBlock.bindUniform(kParamsBlock);
+    bindTiles(part.aimed.get());
     if (!window.startsAtLight && !onFaces) {
         photons.map.clear();
         mSurface.bindStorage(kCornersBuffer);

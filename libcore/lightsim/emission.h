@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "lightsim/aims.h"
 #include "lightsim/photon_map.h"
 #include "lightsim/photons.h"
+
+#include <memory>
 
 namespace eikonal::lightsim {
 
@@ -14,6 +17,7 @@ struct Part {
     unsigned number = 0;          ///< of its source, of those that stand for a light
     double area = 0;              ///< of a pixel of the window, straight ahead [voxel² or sr]
     glm::dvec3 weight{1};         ///< of a photon straight ahead
+    std::shared_ptr<const AimedMap> aimed{}; ///< of the window; none: photons go everywhere
     std::int64_t pixels() const { return std::int64_t{window.pixels.x} * window.pixels.y; }
 };
 
@@ -30,21 +34,30 @@ public:
 
     /// The batches of a light that these stand for, none of more than kBatchPixels; of so many
     /// photons as receivers, so many along an edge of a voxel, want.
+    /// `aimed`: none where light meets nothing, if that is worth it.
     std::vector<Batch> batchesOf(const std::vector<Source>& sources, const Params& params,
-                                 double receivers) const;
+                                 double receivers, bool aimed) const;
 
     /// Fills `photons` and its list. Returns how many there are.
     std::uint32_t emit(gpu::Device& device, const scene::Transport& transport, const Batch& batch,
                        Photons& photons);
 
+    /// Tells kernels of light that meets nothing how a light sees the domain, and where it does.
+    void bindPlain(const AimedMap& map);
+
 private:
     std::vector<Part> partsOf(const std::vector<Source>& sources, const Params& params,
-                              double receivers) const;
+                              double receivers, bool aimed) const;
+    EmissionParams paramsOf(const Window& window) const;
+    void bindTiles(const AimedMap* map);
 
     void emit(gpu::Device& device, const Part& part, std::int64_t first, Photons& photons);
 
     gpu::Program mMapProgram, mProgram;
-    gpu::Buffer mSurface, mBlock;
+    gpu::Device& mDevice;
+    gpu::Buffer mSurface, mBlock, mTiles;
+    Aims mAims;
+    vec4 mAbsorption{0}, mScattering{0}; ///< of the medium round all objects [1/voxel]
     std::int64_t mCorners = 0;
     VoxelBox mDomain, mTarget;
     double mVoxelSize;

@@ -64,9 +64,12 @@ void book(Stats& stats, const Plan& plan, const Unit& unit, const BatchEnergy& e
         const double watts = unit.rgb[c] * unit.power;
         const auto i = static_cast<size_t>(c);
         const int channel = plan.colour ? c : 0;
+        // What meets nothing has gone all its way already.
+        const double entered =
+            emitted.remaining[channel] + emitted.absorbed[channel] + emitted.scattered[channel];
         // A light with a place shines elsewhere, too; what it emits is booked once, by the light.
-        if (!unit.isPoint) energy.emitted[i] += emitted.remaining[channel] * watts;
-        energy.entered[i] += emitted.remaining[channel] * watts;
+        if (!unit.isPoint) energy.emitted[i] += entered * watts;
+        energy.entered[i] += entered * watts;
         energy.absorbed[i] += done.absorbed[channel] * watts;
         energy.scattered[i] += done.scattered[channel] * watts;
         energy.escaped[i] += done.escaped[channel] * watts;

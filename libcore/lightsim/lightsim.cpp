@@ -178,6 +178,19 @@ void sendBatch(Run& run, const Batch& batch, bool bounced, const Progress& progr
     throw InternalError("photons overflow a voxel's sum");
 }
 
+/// Light that meets nothing, of a window of whose batches this is the first.
+void addPlain(Run& run, const Batch& batch, const optics::Band& band) {
+    const Part& part = batch.parts.front();
+    if (!part.aimed || part.place.x != 0 || part.place.y != 0) return;
+    run.pass("light that meets nothing", [&] {
+        run.emission->bindPlain(*part.aimed);
+        const Source& source = part.window.source;
+        run.receivers.voxels().addPlain(run.device, run.plan, source.rgb * band.middle.weight,
+                                        source.isPoint());
+        return 0;
+    });
+}
+
 /// All photons of a band of a light that these stand for. Bounced, they leave light only behind the
 /// first opaque surface that they meet.
 void sendPhotons(Run& run, const std::vector<Source>& sources, const optics::Band& band,
@@ -186,7 +199,10 @@ void sendPhotons(Run& run, const std::vector<Source>& sources, const optics::Ban
     const double receivers = bounced                       ? 0.5
                              : run.plan.receivesInVolume() ? 1
                                                            : run.plan.surfaces.detail;
-    std::vector<Batch> batches = run.emission->batchesOf(sources, run.params, receivers);
+    // Surfaces get light where it lands, not along its way: photons bring them all of it.
+    const bool aimed =
+        !bounced && run.plan.receivesInVolume() && (run.plan.surfaces.empty() || run.plan.beams);
+    std::vector<Batch> batches = run.emission->batchesOf(sources, run.params, receivers, aimed);
     PhotonTracer& tracer = bounced ? *run.bouncer : *run.tracer;
     const auto all = static_cast<double>(batches.size());
     for (size_t b = 0; b < batches.size(); ++b) {
@@ -194,6 +210,7 @@ void sendPhotons(Run& run, const std::vector<Source>& sources, const optics::Ban
         tracer.begin(batches[b].unit.colour, ++run.batches);
         const auto begun = static_cast<double>(b);
         sendBatch(run, batches[b], bounced, partOf(progress, begun / all, (begun + 1) / all));
+        addPlain(run, batches[b], band);
     }
 }
 

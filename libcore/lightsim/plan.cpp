@@ -111,8 +111,10 @@ void listEffects(Plan& plan, const Params& params) {
     }
     add(irradiance);
     add({"photons", plan.photons,
-         plan.photons
-             ? plan.receivesInVolume() ? "fluence is made of them" : "irradiance is made of them"
+         plan.photons     ? !plan.receivesInVolume() ? "irradiance is made of them"
+                            : plan.isPlainBetween()
+                                ? "fluence is made of them, of light that meets something"
+                                : "fluence is made of them"
          : plan.wavefront ? "--method wavefront"
                           : "no volume receives light"});
     const bool rough = plan.scene.anyRough() && !plan.surfaces.empty();

@@ -46,6 +46,11 @@ struct Plan {
     /// Whether photons or beams step by the octree: where index or coefficients vary from place to
     /// place.
     bool usesOctree() const { return (bends || !scene.sharp) && (sendsPhotons() || beams); }
+    /// Whether light that meets no boundary goes straight through a medium that is the same
+    /// everywhere: what it leaves there follows by Beer's law.
+    bool isPlainBetween() const {
+        return scene.sharp && !bends && !scene.medium().coefficientsVary();
+    }
     bool receivesInVolume() const { return wants(Output::fluence) || wants(Output::direction); }
     int tracedChannels() const { return colour ? 3 : 1; }
     int fluenceChannels() const { return colour || colouredLight || scene.disperses ? 3 : 1; }

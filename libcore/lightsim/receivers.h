@@ -23,6 +23,7 @@ public:
     /// Takes up what a batch left. A photon of weight 1 has that power, `unit` of fixed point
     /// stands for a voxel's length at weight 1.
     void resolve(gpu::Device& device, const Unit& of, double unit, bool bounced);
+    VoxelReceiver& voxels() { return *mVoxels; }
     SurfaceReceiver& surfaces() { return *mSurfaces; }
     /// After finish(): what comes next is received anew.
     void renew(gpu::Device& device, const Plan& plan, const Params& params);

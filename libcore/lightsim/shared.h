@@ -18,7 +18,7 @@ using glm::vec4;
 #include "shared/lightsim_params.h"
 #include "shared/limits.h"
 
-static_assert(sizeof(EmissionParams) == 272);
+static_assert(sizeof(EmissionParams) == 320);
 static_assert(sizeof(PhotonParams) == 112);
 static_assert(sizeof(ResolveParams) == 112);
 static_assert(sizeof(Photon) == 96);

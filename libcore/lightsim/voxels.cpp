@@ -137,6 +137,22 @@ void VoxelReceiver::resolve(gpu::Device& device, const Unit& of, double unit) {
     device.check("resolve");
 }
 
+void VoxelReceiver::addPlain(gpu::Device& device, const Plan& plan, const glm::dvec3& rgb,
+                             bool isPoint) {
+    if (mPlain.empty())
+        mPlain = gpu::Program(
+            device, "lightsim/plain.comp.glsl",
+            {{"FLUENCE", plan.fluenceChannels()}, {"DIRECTION", plan.wants(Output::direction)}});
+    mParams.fluence = vec4(rgb / (isPoint ? mVoxelSize * mVoxelSize : 1.0), 0);
+    mBlock.upload(&mParams, sizeof mParams);
+    mBlock.bindUniform(kParamsBlock);
+    mTable.bindStorage(kBricksBuffer);
+    mList.bindStorage(kBrickListBuffer);
+    mTotals.bindImage(kTotalsImage);
+    dispatch(mPlain);
+    device.check("light that meets nothing");
+}
+
 void VoxelReceiver::smooth(gpu::Device& device, int rounds) {
     mPlanes = gpu::Texture(); // its memory serves the other texture
     gpu::Texture other(device, mTotals.size(), gpu::TexelFormat::r32f, gpu::Filter::nearest);

@@ -44,6 +44,9 @@ public:
     /// Adds what the planes hold to the totals, and clears them. A photon of weight 1
     /// has that power, `unit` stands for a voxel's length at weight 1.
     void resolve(gpu::Device& device, const Unit& of, double unit);
+    /// Adds light that meets nothing on its way, as Emission::bindPlain() tells, of a source of
+    /// that irradiance, or intensity.
+    void addPlain(gpu::Device& device, const Plan& plan, const glm::dvec3& rgb, bool isPoint);
     /// Rounds of 3×3×3 smoothing, after which nothing more is received.
     void smooth(gpu::Device& device, int rounds);
     Result download(const Plan& plan) const;
@@ -51,7 +54,7 @@ public:
 private:
     void dispatch(const gpu::Program& program) const;
 
-    gpu::Program mResolve, mSmooth;
+    gpu::Program mResolve, mSmooth, mPlain;
     gpu::Buffer mBlock, mTable, mList;
     gpu::Texture mPlanes, mTotals, mOpaque;
     AtlasLayout mAtlas;

@@ -1,5 +1,6 @@
 // A photon from its pixel of the photon map, if the light reaches it (Sun et al. 2008, §4.3).
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "lib/attenuation.glsl"
 #include "lib/box.glsl"
 #include "lightsim/chance.glsl"
 #include "shared/bindings.h"
@@ -21,6 +22,7 @@ layout(std430, binding = kObjectsBuffer) writeonly buffer InObjects { ObjectSet 
 layout(std430, binding = kPolarisationsBuffer) writeonly buffer Polarisations { vec4 polarisations[]; };
 #endif
 layout(std430, binding = kListBuffer) writeonly buffer List { uint list[]; };
+layout(std430, binding = kAimsBuffer) readonly buffer Aims { uint aims[]; };
 layout(binding = kPhotonMapUnit) uniform sampler2D photonMap;
 #include "lightsim/spread.glsl"
 
@@ -54,6 +56,27 @@ float solidAngleOf(vec2 at, vec2 edge) {
 float chanceAt(ivec2 pixel) {
     uvec2 at = uvec2(pixel * params.batch.z + params.batch.xy);
     return chanceOf(at.x * 2957188063u + at.y * 1791843177u + pcgHash(uint(params.map.z)));
+}
+
+// Whether light through a pixel meets nothing.
+bool isPlain(ivec2 pixel) {
+    if (params.tiles.y == 0) return false;
+    ivec2 tile = (pixel * params.batch.z + params.batch.xy) / params.tiles.x;
+    return aims[tile.y * params.tiles.y + tile.x] == 0u;
+}
+
+// What becomes of a photon that meets nothing [voxel].
+Photon passed(Photon photon, float extent) {
+    for (int c = 0; c < 3; ++c) {
+        float sigmaT = params.absorption[c] + params.scattering[c];
+        Attenuation along = attenuationOf(sigmaT * extent);
+        float spent = photon.weight[c] * along.mean * extent; // weight times length
+        photon.absorbed[c] = params.absorption[c] * spent;
+        photon.scattered[c] = params.scattering[c] * spent;
+        photon.weight[c] *= along.through;
+    }
+    photon.count.x = kLeft;
+    return photon;
 }
 
 void main() {
@@ -109,19 +132,26 @@ void main() {
         photons[id].count = uvec4(kNone);
         return;
     }
+    Photon photon;
+    photon.place = vec4(x, 0.0);
+    photon.wave = vec4(0.0);
+    photon.weight = vec4(kExtended ? weight * params.weight.yzw : vec3(weight),
+                         uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
+    photon.absorbed = vec4(0.0);
+    photon.scattered = vec4(vec3(0.0), 1.0);
+    photon.count = uvec4(0u);
+    if (isPlain(pixel)) {
+        photons[id] = passed(photon, timeToLeave(x, direction, params.low.xyz, params.high.xyz));
+        return;
+    }
     // A proxy may be an object's own mesh, and then starts are on both sides of the boundary by chance: a
     // voxel before it they would be surely before it, but where light grazes it.
     float back = kObjects == 0 || startsAtLight
                      ? 0.0
                      : min(boxSpan(x, -direction, params.low.xyz, params.high.xyz).y, 1.0);
     ObjectSet objects = objectsAt(x - back * direction, direction, startsAtLight);
-    Photon photon;
-    photon.place = vec4(x, 0.0);
     photon.wave = vec4(indexOf(regionOf(objects), x) * direction, 0.0);
-    photon.weight = vec4(kExtended ? weight * params.weight.yzw : vec3(weight),
-                         uniformOf(pcgHash(id ^ pcgHash(uint(params.map.z)))));
-    photon.absorbed = vec4(vec3(0.0), kObjects > 0 ? chanceAt(pixel) : 0.5);
-    photon.scattered = vec4(vec3(0.0), 1.0);
+    photon.absorbed.w = kObjects > 0 ? chanceAt(pixel) : 0.5;
     photon.count = uvec4(kAlive, 0u, 0u, firstBits(objects));
     if (kMany) inObjects[id] = objects;
     photons[id] = photon;

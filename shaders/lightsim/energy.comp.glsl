@@ -31,7 +31,8 @@ void main() {
         if (status == kLeft) sum.escaped += weight;
         float mean = dot(weight.xyz, vec3(1.0 / 3.0));
         sum.dropped += mean * vec4(equal(ivec4(status), ivec4(kDeep, kTrapped, kAlive, kFaded)));
-        sum.count += uvec4(1u, steps, photon.count.z, status == kTrapped ? 1u : 0u);
+        bool traced = status != kLeft || steps > 0u;
+        sum.count += uvec4(traced ? 1u : 0u, steps, photon.count.z, status == kTrapped ? 1u : 0u);
     }
     energy[item] = sum;
 }

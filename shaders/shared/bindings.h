@@ -4,6 +4,7 @@
 
 // Uniform blocks.
 const int kParamsBlock = 0;    // what the kernel itself is told
+const int kEmissionBlock = 1;  // plain.comp: EmissionParams
 const int kTransportBlock = 2; // TransportParams
 const int kFieldBlock = 3;     // FieldParams
 const int kSceneBlock = 4;     // SceneParams
@@ -65,6 +66,7 @@ const int kListBuffer = 2;     // pixels whose photon goes on
 const int kNextListBuffer = 3; // those of the next launch
 const int kBricksBuffer = 4;   // where each brick of voxels lies in the atlases of sums
 const int kPolarisationsBuffer = 5; // in scenes with crystals: each photon's mode and polarisation
+const int kAimsBuffer = 6;     // of each tile of the photon map, not 0 if photons go there
 const int kObjectsBuffer = 10; // of many objects: those that each photon is in
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]

@@ -18,6 +18,9 @@ struct EmissionParams {
                   // w: 0 all round, 1 by the cosine about it, 2 in a cone about it
     vec4 cone;    // x, y: the angles between which that fades [rad]; zw: where in its pixel a ray goes
     vec4 polarizer; // xyz: E of what starts lies in the plane of this and the ray; 0: it is unpolarised
+    vec4 absorption; // of the medium round all objects, rgb [1/voxel]
+    vec4 scattering; // the same
+    ivec4 tiles;    // x: edge of tiles of the larger map [pixel], y: tiles along x, 0: all is aimed at
 };
 
 struct PhotonParams {

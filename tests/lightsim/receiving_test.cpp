@@ -98,3 +98,81 @@ TEST(LightReceivingLong, MoreVoxelsThanAStorageBufferHolds) {
     const double voxels = static_cast<double>(found.plan.voxels());
     EXPECT_NEAR(found.total() / voxels, 1, 1e-3);
 }
+
+/// A small ball of no index of its own in a wide medium: photons are sent there, and all light is
+/// as if it were not.
+volume::Volume ballInMedium(const dvec3& absorption, double scattering) {
+    TestVolume made(ivec3(40, 48, 44));
+    made.add(
+        "sdf", [](dvec3 p) { return glm::distance(p, dvec3(22, 20, 21)) - 4; }, 1e3);
+    made.constant("ior", 1);
+    for (const char* of : {"", ".medium"}) {
+        made.constantVector(std::string("absorption") + of, absorption);
+        made.constant(std::string("scattering") + of, scattering);
+    }
+    return made.take();
+}
+
+const dvec3 kLamp(23, 90, 18), kSun = glm::normalize(dvec3(0.3, -1, 0.2));
+
+Light sunOrLamp(bool isLamp, const dvec3& rgb) {
+    return isLamp ? lamp(kLamp, rgb) : beam(kSun, rgb);
+}
+
+/// The mean over a voxel of light of unit irradiance or intensity.
+double byBeersLaw(const ivec3& p, double sigma, bool isLamp) {
+    const dvec3 x = dvec3(p) + 0.5, way = isLamp ? x - kLamp : kSun, d = glm::normalize(way);
+    double depth = (48 - x.y) / -d.y, across = -d.y;
+    for (int axis : {0, 2}) {
+        const double to = d[axis] > 0 ? x[axis] : x[axis] - (axis == 0 ? 40 : 44);
+        if (to / d[axis] >= depth) continue;
+        depth = to / d[axis];
+        across = std::abs(d[axis]);
+    }
+    const double a = 0.5 * sigma / across;
+    return std::exp(-sigma * depth) * (a > 0 ? std::sinh(a) / a : 1) /
+           (isLamp ? glm::dot(way, way) : 1);
+}
+
+TEST(LightReceiving, WhatMeetsNothingIsByBeersLaw) {
+    const dvec3 absorption(0.01, 0.02, 0.1), rgb(3, 2, 1);
+    const double scattering = 0.01;
+    const volume::Volume scene = ballInMedium(absorption, scattering);
+    for (const bool isLamp : {false, true}) {
+        const Lit lit(scene, paramsOf({sunOrLamp(isLamp, rgb)}, 1 << 15));
+        EXPECT_LT(lit.counter("photons"), 0.5 * (1 << 15));
+        EXPECT_GT(lit.counter("photons"), 100);
+        for (const ivec3 p :
+             {ivec3(3, 20, 40), ivec3(25, 25, 3), ivec3(36, 45, 30), ivec3(1, 9, 5)}) {
+            for (int c = 0; c < 3; ++c) {
+                const double wanted = rgb[c] * byBeersLaw(p, absorption[c] + scattering, isLamp);
+                EXPECT_NEAR(lit.fluence(p, c), wanted, 2e-4 * wanted) << p.x << " " << c;
+            }
+            const dvec3 direction = isLamp ? glm::normalize(dvec3(p) + 0.5 - kLamp) : kSun;
+            EXPECT_LT(glm::distance(lit.direction(p), direction), 1e-4);
+        }
+        for (size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(lit.stats.energy.absorbed[c] / lit.stats.energy.scattered[c],
+                        absorption[static_cast<int>(c)] / scattering, 1e-3);
+    }
+}
+
+TEST(LightReceiving, WhatMeetsNothingAndWhatPhotonsBringAreTheWhole) {
+    const double sigma = 0.001, intensity = 5000;
+    const volume::Volume scene = ballInMedium(dvec3(0), sigma);
+    for (const bool isLamp : {false, true}) {
+        Params params = paramsOf({sunOrLamp(isLamp, dvec3(isLamp ? intensity : 1))}, 1 << 20);
+        params.smoothing = 1;
+        const Lit lit(scene, params);
+        EXPECT_LT(lit.counter("photons"), 0.3 * (1 << 20));
+        EXPECT_GT(lit.counter("photons"), 1000);
+        double off = 0, all = 0;
+        forEachVoxel(ivec3(40, 48, 44), [&](ivec3 p) {
+            const double wanted = (isLamp ? intensity : 1) * byBeersLaw(p, sigma, isLamp);
+            EXPECT_NEAR(lit.fluence(p), wanted, 0.05 * wanted) << p.x << " " << p.y << " " << p.z;
+            off += lit.fluence(p) - wanted;
+            all += wanted;
+        });
+        EXPECT_NEAR(off, 0, 5e-4 * all);
+    }
+}
