@@ -49,7 +49,8 @@ struct Plan {
     /// Whether light that meets no boundary goes straight through a medium that is the same
     /// everywhere: what it leaves there follows by Beer's law.
     bool isPlainBetween() const {
-        return scene.sharp && !bends && !scene.medium().coefficientsVary();
+        return scene.sharp && !bends && !scene.medium().opaque &&
+               !scene.medium().coefficientsVary();
     }
     bool receivesInVolume() const { return wants(Output::fluence) || wants(Output::direction); }
     int tracedChannels() const { return colour ? 3 : 1; }

@@ -87,6 +87,19 @@ std::vector<Owned> sharpPhotonBindings() {
             {"many objects", of({}, {kObjectsBuffer}, {kSetsUnit})}};
 }
 
+std::vector<Owned> beamBindings() {
+    return {{"", of({kParamsBlock, kTransportBlock, kSceneBlock},
+                    {kPointsBuffer, kParentsBuffer, kWantedBuffer},
+                    {kDistancesUnit, kClearanceUnit, kBlocksUnit, kNearbyUnit})},
+            {"index that varies", of({kFieldBlock}, {}, {kLeavesUnit, kFieldUnit})},
+            {"colour", {}},
+            {"dispersion", of({kSpectrumBlock}, {}, {})},
+            {"absorption that varies", of({}, {}, {kAbsorptionsUnit, kScatteringsUnit})},
+            {"crystals", {}},
+            {"crystals that vary", of({}, {}, {kCrystalsUnit, kMixedCrystalsUnit})},
+            {"many objects", of({}, {kObjectsBuffer, kParentObjectsBuffer}, {kSetsUnit})}};
+}
+
 } // namespace
 
 std::vector<Owned> bindingsOf(Family family) {
@@ -97,8 +110,10 @@ std::vector<Owned> bindingsOf(Family family) {
         return sharpViewBindings();
     case Family::photons:
         return photonBindings();
-    default:
+    case Family::sharpPhotons:
         return sharpPhotonBindings();
+    default:
+        return beamBindings();
     }
 }
 

@@ -85,10 +85,11 @@ public:
         }
         return *this;
     }
-    /// The only solid is a crystal, by metadata.
+    /// A solid is a crystal, by metadata.
     SceneVolume& crystal(const volume::Crystal& crystal) {
         const volume::IndexBox box{glm::ivec3(0), glm::ivec3(mVoxels - 1)};
         for (volume::ObjectFacts facts : mVolume.objects()) {
+            if (facts.sdf != "sdf") continue;
             facts.crystal = crystal;
             mVolume.putLevelSet(facts, box, mVolume.dense(facts.sdf, box), 4);
         }
@@ -165,6 +166,26 @@ volume::Volume glassInCrowd(const Scale& scale) {
         scene.own("ior", name, 1.5);
     }
     return scene.take();
+}
+
+/// The glass over an opaque floor.
+volume::Volume glassOverFloor(const Scale& scale, const Fill& fill) {
+    SceneVolume scene(scale.voxels);
+    scene.constant("ior", 1, dvec3(1.5)).solid("", 0, ballDistance);
+    scene.solid("floor", 1, [](dvec3 p) { return p.y + 0.6; }).own("ior", "floor", 1);
+    scene.own("opacity", "floor", 1).own("albedo", "floor", 0.5f);
+    if (fill) fill(scene);
+    return scene.take();
+}
+
+/// And more objects than kernels visit all of.
+void crowd(SceneVolume& scene) {
+    for (int k = 2; k < 8; ++k) {
+        const std::string name = "other" + std::to_string(k);
+        const dvec3 corner(k & 1 ? 0.8 : -0.8, 0.8, 0.3 * k - 1.5);
+        scene.solid(name, k, [=](dvec3 p) { return glm::length(p - corner) - 0.12; });
+        scene.own("ior", name, 1.5);
+    }
 }
 
 /// A Luneburg lens of glass, n² = 2.25 (2 − 4 r²), which goes on beyond its rim.
@@ -300,6 +321,27 @@ Case photonCase(const std::string& name, const Effects& effects, volume::Volume 
                 Stats stats;
                 lightsim::simulate(device, *plan, params, stats, {});
                 return Outcome{passMs(stats, "photons"), stats.counter("steps")};
+            }};
+}
+
+lightsim::Params beamParams(const Scale& scale) {
+    lightsim::Params params = photonParams(scale);
+    params.outputs = lightsim::Output::irradiance;
+    params.method = lightsim::Method::beams;
+    return params;
+}
+
+/// Its time is that of beams' points, of what becomes of cells, and of laying them down.
+Case beamCase(const std::string& name, const Effects& effects, volume::Volume made,
+              const lightsim::Params& params) {
+    const auto volume = std::make_shared<volume::Volume>(std::move(made));
+    const auto plan = std::make_shared<lightsim::Plan>(lightsim::makePlan(*volume, params));
+    return {name, effects, false, [=](gpu::Device& device) {
+                Stats stats;
+                lightsim::simulate(device, *plan, params, stats, {});
+                return Outcome{passMs(stats, "beam rays") + passMs(stats, "beam cells") +
+                                   passMs(stats, "beams"),
+                               stats.counter("beam_points")};
             }};
 }
 
@@ -509,6 +551,34 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
     return cases;
 }
 
+std::vector<Case> beamCases(const Scale& scale) {
+    const lightsim::Params params = beamParams(scale);
+    std::vector<Case> cases;
+    const auto add = [&](const char* name, const Effects& effects, const Fill& more) {
+        cases.push_back(beamCase(name, effects, glassOverFloor(scale, more), params));
+    };
+    add("refraction alone", {}, {});
+    add("absorption, grey", {}, fill("absorption", 3, kGrey));
+    add("absorption, RGB", {"colour"}, fill("absorption", 3, kRgb));
+    add("absorption that varies", {"colour", "absorption that varies"}, varyAbsorption);
+    add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
+    add("a crystal", {"crystals"}, crystallise);
+    add("a crystal that varies", {"crystals", "crystals that vary"}, crystalliseTurning);
+    lightsim::Params faded = params;
+    faded.lights = {lightsim::parseLight("spot:0,5,0:0,-1,0:30:10")};
+    cases.push_back(beamCase("a spot", {}, glassOverFloor(scale, {}), faded));
+    add("eight objects", {"many objects"}, crowd);
+    const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {
+        lightsim::Params changed = params;
+        changed.tracing = tracing;
+        return beamCase(name, {"index that varies"}, glassOverFloor(scale, gradeIndex), changed);
+    };
+    cases.push_back(addTraced("Verlet, linear", {}));
+    cases.back().isTracing = true;
+    addTracing(cases, addTraced);
+    return cases;
+}
+
 bool isView(Family family) {
     return family == Family::view || family == Family::sharpView;
 }
@@ -520,6 +590,7 @@ bool isSharp(Family family) {
 } // namespace
 
 std::string nameOf(Family family) {
+    if (family == Family::beams) return "beams";
     return std::string(isView(family) ? "view" : "photons") + (isSharp(family) ? ", sharp" : "");
 }
 
@@ -531,8 +602,10 @@ std::vector<Case> casesOf(Family family, const Scale& scale) {
         return sharpViewCases(scale);
     case Family::photons:
         return photonCases(scale);
-    default:
+    case Family::sharpPhotons:
         return sharpPhotonCases(scale);
+    default:
+        return beamCases(scale);
     }
 }
 
@@ -554,6 +627,8 @@ Case emptyGridsCase(Family family, const Scale& scale) {
             scene.constant(grid, 3, dvec3(0));
         for (const char* grid : {"anisotropy", "opacity"}) scene.constant(grid, 1, dvec3(0));
     };
+    if (family == Family::beams)
+        return beamCase("empty grids", {}, glassOverFloor(scale, zeros), beamParams(scale));
     volume::Volume volume = isSharp(family) ? glassOf(scale, zeros) : volumeOf(scale, true, zeros);
     return isView(family) ? viewCase("empty grids", {}, std::move(volume), viewParams(scale))
                           : photonCase("empty grids", {}, std::move(volume), photonParams(scale));

@@ -14,7 +14,8 @@
 namespace effects {
 
 /// The kernels that trace rays, as paths in the shaders folder; a scene needs a variant of one.
-inline constexpr const char* kKernels[] = {"view/trace.comp.glsl", "lightsim/trace.comp.glsl"};
+inline constexpr const char* kKernels[] = {"view/trace.comp.glsl", "lightsim/trace.comp.glsl",
+                                           "lightsim/beam_trace.comp.glsl"};
 
 struct Outcome {
     double gpuMs = 0; ///< of the pass that the case is about
@@ -38,9 +39,9 @@ struct Scale {
 /// What a case's kernel is does not hang on its size.
 inline constexpr Scale kSmall{16, 48, 36, 1 << 10};
 
-enum class Family { view, sharpView, photons, sharpPhotons };
+enum class Family { view, sharpView, photons, sharpPhotons, beams };
 inline constexpr Family kFamilies[] = {Family::view, Family::sharpView, Family::photons,
-                                       Family::sharpPhotons};
+                                       Family::sharpPhotons, Family::beams};
 std::string nameOf(Family family);
 
 /// The first is refraction alone; every other adds one thing to it.

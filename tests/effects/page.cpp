@@ -157,7 +157,15 @@ std::string pageOf(const Json& r) {
         "absorption does. Resolving and smoothing what was stored is not counted.",
         "photons are");
     add(Family::sharpPhotons,
-        "Lighting the ball within a sharp boundary:", "photons between boundaries are");
+        "Lighting the ball within a sharp boundary. Photons go where light meets something, but "
+        "all over "
+        "the map where the medium varies:",
+        "photons between boundaries are");
+    add(Family::beams,
+        "Lighting a floor under that ball by beams: their points, what becomes of cells, and "
+        "laying them "
+        "down; *steps* are points:",
+        "rays of beams between boundaries are");
     page +=
         "## What is not there\n\nA scene without an effect gets a kernel without it: every row "
         "above has switches of its own, and what they exclude the compiler drops. `test_effects` "
