@@ -183,7 +183,13 @@ TriangleTree::Nearest TriangleTree::nearest(const dvec3& x, double squaredBound,
 }
 
 void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32_t>& faces) const {
-    faces.clear();
+    placesWithin(x, radius, faces);
+    for (std::uint32_t& face : faces) face = mFaces[face];
+}
+
+void TriangleTree::placesWithin(const dvec3& x, double radius,
+                                std::vector<std::uint32_t>& places) const {
+    places.clear();
     walk([&](const Box& box) { return squaredDistanceToBox(x, box) <= radius * radius; },
          [&](std::uint32_t i) {
              // Most are wholly within, or their ball is beyond.
@@ -193,7 +199,7 @@ void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32
              if (off > most * most) return;
              if ((least > 0 && off <= least * least) ||
                  squaredDistance(x, t.a, t.b, t.c) <= radius * radius)
-                 faces.push_back(mFaces[i]);
+                 places.push_back(i);
          });
 }
 

@@ -38,6 +38,8 @@ public:
 
     /// Replaces `faces` by those that come as near to x as `radius`.
     void within(const glm::dvec3& x, double radius, std::vector<std::uint32_t>& faces) const;
+    /// The same by their places in order().
+    void placesWithin(const glm::dvec3& x, double radius, std::vector<std::uint32_t>& places) const;
 
     /// Replaces `faces` by those whose own boxes touch the box, in no order.
     void overlapping(const Box& box, std::vector<std::uint32_t>& faces) const;

@@ -46,7 +46,7 @@ class Band {
 public:
     Band(const mesh::TriangleMesh& boundary, const Sides& sides, const Lattice& lattice,
          double halfWidth)
-        : mTree(boundary), mFaces(boundary), mSides(sides), mSize(lattice.size),
+        : mTree(boundary), mFaces(boundary, mTree.order()), mSides(sides), mSize(lattice.size),
           mHalfWidth(halfWidth), mVoxelSize(lattice.voxelSize),
           mFar(static_cast<float>(halfWidth * lattice.voxelSize)) {
         double sum = 0;
@@ -123,10 +123,10 @@ private:
     /// Those that may be nearest to a voxel of a cube.
     void listFaces(const ivec3& low, int edge, double squared,
                    std::vector<std::uint32_t>& faces) const {
-        mTree.within(middleOf(low, edge),
-                     std::sqrt(squared) + 2 * (toCornerOf(edge) + mFaces.bulge) +
-                         NearestFace::kRounding,
-                     faces);
+        mTree.placesWithin(middleOf(low, edge),
+                           std::sqrt(squared) + 2 * (toCornerOf(edge) + mFaces.bulge) +
+                               NearestFace::kRounding,
+                           faces);
     }
 
     void measureBrick(const Brick& brick, float* values, Work& work) const {
