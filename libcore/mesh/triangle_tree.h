@@ -66,9 +66,14 @@ private:
         glm::dvec3 a, b, c, middle;
         double radius; ///< of a ball about the middle that holds them
     };
+    /// A face while its place is looked for.
+    struct Centre {
+        glm::dvec3 sum; ///< of its corners
+        std::uint32_t face;
+    };
     static size_t nodesOf(std::uint32_t count);
-    void build(size_t self, std::uint32_t first, std::uint32_t count,
-               const std::vector<glm::dvec3>& centres);
+    void put(std::uint32_t face, std::uint32_t place);
+    void build(size_t self, std::uint32_t first, std::uint32_t count, std::vector<Centre>& centres);
     template<typename Enter, typename Look> void walk(const Enter& enter, const Look& look) const;
 
     const TriangleMesh& mMesh;
