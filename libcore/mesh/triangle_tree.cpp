@@ -208,13 +208,13 @@ void TriangleTree::placesWithin(const dvec3& x, double radius,
          });
 }
 
-void TriangleTree::overlapping(const Box& box, std::vector<std::uint32_t>& faces) const {
-    faces.clear();
+void TriangleTree::placesTouching(const Box& box, std::vector<std::uint32_t>& places) const {
+    places.clear();
     walk([&](const Box& node) { return node.touches(box); },
          [&](std::uint32_t i) {
              const Corners& t = mCorners[i];
              const Box own{glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)};
-             if (own.touches(box)) faces.push_back(mFaces[i]);
+             if (own.touches(box)) places.push_back(i);
          });
 }
 

@@ -41,8 +41,8 @@ public:
     /// The same by their places in order().
     void placesWithin(const glm::dvec3& x, double radius, std::vector<std::uint32_t>& places) const;
 
-    /// Replaces `faces` by those whose own boxes touch the box, in no order.
-    void overlapping(const Box& box, std::vector<std::uint32_t>& faces) const;
+    /// Replaces `places` by those in order() of faces whose own boxes touch the box.
+    void placesTouching(const Box& box, std::vector<std::uint32_t>& places) const;
 
     struct Hit {
         double t; ///< [length of the direction]
