@@ -157,7 +157,8 @@ std::vector<gpu::Need> coverageNeeds(const Lattice& lattice, std::int64_t stripB
 Coverage::Coverage(gpu::Device& device, const Lattice& lattice, std::int64_t stripBytes)
     : mDevice(device), mLattice(lattice), mRows(rowsOf(lattice, stripBytes)),
       mCrossings(device, "voxelize/crossings.vert.glsl", "voxelize/crossings.frag.glsl", {}),
-      mChanges(device, rowBytes(lattice) * mRows), mParams(device, sizeof(StripParams)) {
+      mChanges(device, rowBytes(lattice) * mRows, gpu::InPlace::yes),
+      mParams(device, sizeof(StripParams)) {
     if (lattice.view() > device.limits().framebuffer)
         throw MemoryError("voxelising draws " + std::to_string(lattice.view()) +
                           " pixels along an edge, the device allows " +
@@ -184,11 +185,10 @@ Counts Coverage::count(FacetSource& mesh, int firstRow, int rows) {
     }
     gpu::barrier();
     mDevice.check("voxelize");
-    const std::int64_t voxels = std::int64_t{mLattice.size.x} * rows * mLattice.size.z;
-    mDownload.resize(static_cast<size_t>(voxels));
-    mChanges.download(mDownload.data(), voxels * 4);
     Counts counts(ivec3(mLattice.size.x, rows, mLattice.size.z));
-    Summing(mDownload.data(), mLattice.most(), counts).run();
+    mChanges.read([&](const void* changes) {
+        Summing(static_cast<const std::int32_t*>(changes), mLattice.most(), counts).run();
+    });
     return counts;
 }
 

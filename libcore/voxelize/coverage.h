@@ -42,7 +42,6 @@ private:
     int mRows;
     gpu::Program mCrossings;
     gpu::Buffer mChanges, mFacets, mParams;
-    std::vector<std::int32_t> mDownload;
 };
 
 } // namespace eikonal::voxelize

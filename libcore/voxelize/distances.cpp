@@ -13,8 +13,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <optional>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 namespace eikonal::voxelize {
 
@@ -205,13 +207,16 @@ private:
 volume::BrickGrid signedDistances(const mesh::TriangleMesh& mesh, const Lattice& lattice,
                                   double halfWidth) {
     mesh::TriangleMesh surface = inVoxels(mesh, lattice);
-    const Sides sides(surface, lattice.size);
+    std::optional<Sides> sides;
+    bool oneShell = false;
+    tbb::parallel_invoke([&] { sides.emplace(surface, lattice.size); },
+                         [&] { oneShell = isOneShell(surface); });
     // Columns may miss that shells overlap by less than a voxel.
-    if (sides.overlaps() || !isOneShell(surface)) {
+    if (sides->overlaps() || !oneShell) {
         surface = mesh::solidBoundary(surface, kPiece);
         mesh::mergeIdenticalPoints(surface); // curves need to know which faces share an edge
     }
-    return Band(surface, sides, lattice, halfWidth).measure();
+    return Band(surface, *sides, lattice, halfWidth).measure();
 }
 
 } // namespace eikonal::voxelize
