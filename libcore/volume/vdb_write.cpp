@@ -68,7 +68,7 @@ public:
     void writeBuffers(std::ostream& out) const override {
         std::vector<const typename GridT::TreeType::LeafNodeType*> leaves;
         this->tree().getNodes(leaves);
-        constexpr size_t kPart = 256, kParts = 64; // leaves, and what is held of them at a time
+        constexpr size_t kPart = 64, kParts = 64; // leaves, and what is held of them at a time
         for (size_t begin = 0; begin < leaves.size(); begin += kPart * kParts) {
             const size_t end = std::min(begin + kPart * kParts, leaves.size());
             std::vector<std::string> parts((end - begin + kPart - 1) / kPart);
