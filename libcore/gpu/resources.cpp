@@ -8,16 +8,22 @@
 
 namespace eikonal::gpu {
 
-Buffer::Buffer(Device& device, std::int64_t bytes) : Buffer(device, bytes, nullptr) {}
+Buffer::Buffer(Device& device, std::int64_t bytes, InPlace read) : mDevice(&device), mBytes(bytes) {
+    allocate(nullptr, read == InPlace::yes ? GL_MAP_READ_BIT : 0u);
+}
 
 Buffer::Buffer(Device& device, std::int64_t bytes, const void* data)
     : mDevice(&device), mBytes(bytes) {
+    allocate(data, 0);
+}
+
+void Buffer::allocate(const void* data, unsigned flags) {
     glCreateBuffers(1, &mName);
     // A buffer of no bytes is an error in OpenGL; an empty list is none here.
-    glNamedBufferStorage(mName, std::max<std::int64_t>(bytes, 16), bytes > 0 ? data : nullptr,
-                         GL_DYNAMIC_STORAGE_BIT);
-    device.check("allocating a buffer");
-    device.account(mBytes);
+    glNamedBufferStorage(mName, std::max<std::int64_t>(mBytes, 16), mBytes > 0 ? data : nullptr,
+                         GL_DYNAMIC_STORAGE_BIT | flags);
+    mDevice->check("allocating a buffer");
+    mDevice->account(mBytes);
 }
 
 Buffer::~Buffer() {
@@ -43,6 +49,17 @@ void Buffer::upload(const void* data, std::int64_t bytes, std::int64_t offset) {
 void Buffer::download(void* data, std::int64_t bytes, std::int64_t offset) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(mName, offset, bytes, data);
+}
+
+const void* Buffer::map() const {
+    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    const void* content = glMapNamedBufferRange(mName, 0, mBytes, GL_MAP_READ_BIT);
+    mDevice->check("reading a buffer in place");
+    return content;
+}
+
+void Buffer::unmap() const {
+    glUnmapNamedBuffer(mName);
 }
 
 void Buffer::clear() {

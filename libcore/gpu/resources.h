@@ -13,11 +13,14 @@
 
 namespace eikonal::gpu {
 
+/// Whether the host reads a buffer's content in place.
+enum class InPlace { no, yes };
+
 /// A storage or uniform buffer.
 class Buffer {
 public:
     Buffer() = default;
-    Buffer(Device& device, std::int64_t bytes);
+    Buffer(Device& device, std::int64_t bytes, InPlace read = InPlace::no);
     /// Filled at once with `bytes` from `data`.
     Buffer(Device& device, std::int64_t bytes, const void* data);
     ~Buffer();
@@ -27,6 +30,12 @@ public:
     void upload(const void* data, std::int64_t bytes, std::int64_t offset = 0);
     void download(void* data, std::int64_t bytes, std::int64_t offset = 0) const;
     void clear(); ///< to zero bytes
+    /// Calls `look` with the content of a buffer that is read in place: nothing is copied where the
+    /// device's memory is the host's.
+    template<typename Look> void read(const Look& look) const {
+        look(map());
+        unmap();
+    }
     /// The first `bytes` of another one.
     void copyFrom(const Buffer& other, std::int64_t bytes, std::int64_t offset = 0);
     void bindStorage(unsigned binding) const;
@@ -35,6 +44,10 @@ public:
     std::int64_t bytes() const { return mBytes; }
 
 private:
+    void allocate(const void* data, unsigned flags);
+    const void* map() const;
+    void unmap() const;
+
     Device* mDevice = nullptr;
     unsigned mName = 0;
     std::int64_t mBytes = 0;

@@ -158,6 +158,11 @@ private:
         }
     }
 
+    bool hasCreases(std::uint32_t face) const {
+        const auto& [a, b, c] = mCreases[face];
+        return a || b || c;
+    }
+
     /// The mean rise of a face's kept edges; 0: it has none.
     dvec3 creasesRise(std::uint32_t face) const {
         dvec3 sum(0);
@@ -174,7 +179,10 @@ private:
     /// both within the surface: else they would pass over it. By how much.
     dvec3 shiftOf(size_t begin, size_t end) const {
         const FaceEdge &left = mEdges[begin], &right = mEdges[end - 1];
-        if (end - begin < 2 || mCreases[left.face][sideOf(left)]) return dvec3(0);
+        // Few faces have any.
+        if (end - begin < 2 || !hasCreases(left.face) || !hasCreases(right.face) ||
+            mCreases[left.face][sideOf(left)])
+            return dvec3(0);
         const dvec3 p = creasesRise(left.face), q = creasesRise(right.face);
         if (p == dvec3(0) || q == dvec3(0)) return dvec3(0);
         const EdgeNormals normals = normalsAt(mMesh, left);

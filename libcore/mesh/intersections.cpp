@@ -125,24 +125,32 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> intersectingPairs(const Tri
                                                                        size_t most) {
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     const std::vector<char> proper = properFaces(mesh);
-    std::vector<Box> boxes(mesh.triangles.size());
-    tbb::parallel_for(size_t{0}, boxes.size(),
-                      [&](size_t f) { boxes[f] = boxOf(mesh, mesh.triangles[f]); });
     const TriangleTree tree(mesh);
-    const std::vector<std::uint32_t>& faces = tree.order();
-    // The pairs, of which the lower face is among some that lie together.
+    const std::vector<std::uint32_t>& order = tree.order();
+    // By places in that order, so that what lies together is looked at together.
+    struct Placed {
+        Box box;
+        glm::uvec3 corners;
+        bool proper;
+    };
+    std::vector<Placed> faces(order.size());
+    tbb::parallel_for(size_t{0}, faces.size(), [&](size_t i) {
+        const glm::uvec3& corners = mesh.triangles[order[i]];
+        faces[i] = {boxOf(mesh, corners), corners, proper[order[i]] != 0};
+    });
+    // The pairs, of which the lower place is among some.
     const auto addPairs = [&](size_t begin, size_t end, std::vector<std::uint32_t>& near,
                               Pairs& pairs) {
         Box all;
-        for (size_t i = begin; i < end; ++i) all.include(boxes[faces[i]]);
-        tree.overlapping(all, near);
+        for (size_t i = begin; i < end; ++i) all.include(faces[i].box);
+        tree.placesTouching(all, near);
         for (size_t i = begin; i < end; ++i) {
-            const std::uint32_t f = faces[i];
-            if (!proper[f] || pairs.size() >= most) continue;
-            for (const std::uint32_t g : near)
-                if (g > f && proper[g] && boxes[f].touches(boxes[g]) &&
-                    meetBeyondShared(mesh, mesh.triangles[f], mesh.triangles[g]))
-                    pairs.emplace_back(f, g);
+            const Placed& f = faces[i];
+            if (!f.proper || pairs.size() >= most) continue;
+            for (const std::uint32_t j : near)
+                if (const Placed& g = faces[j]; j > i && g.proper && f.box.touches(g.box) &&
+                                                meetBeyondShared(mesh, f.corners, g.corners))
+                    pairs.push_back(std::minmax(order[i], order[j]));
         }
     };
     // By parts, so that a mesh which crosses itself everywhere is soon known to.

@@ -29,37 +29,48 @@ struct Split {
 /// For each side of each face the point at the middle of its curve, if the side is split.
 using Middles = std::vector<std::array<std::uint32_t, 3>>;
 
+size_t sideOf(const TriangleMesh& mesh, const FaceEdge& edge) {
+    const glm::uvec3& face = mesh.triangles[edge.face];
+    const std::uint32_t start = edge.rising ? edge.low : edge.high;
+    return face.x == start ? 0 : face.y == start ? 1 : 2;
+}
+
+/// Where the edges of new faces begin whose curve bulges by more than `most`, in order.
+std::vector<size_t> bulgingEdges(const TriangleMesh& mesh, const std::vector<FaceEdge>& edges,
+                                 const std::vector<std::array<EdgeCurve, 3>>& curves,
+                                 const std::vector<char>& isNew, double most) {
+    std::vector<char> bulges(edges.size(), 0);
+    eachEdge(edges, [&](size_t begin, size_t end) {
+        bool any = false;
+        for (size_t i = begin; i < end; ++i) any = any || isNew[edges[i].face] != 0;
+        // All its faces bend it alike.
+        bulges[begin] = any && curves[edges[begin].face][sideOf(mesh, edges[begin])].bulge() > most;
+    });
+    std::vector<size_t> found;
+    for (size_t i = 0; i < bulges.size(); ++i)
+        if (bulges[i]) found.push_back(i);
+    return found;
+}
+
 /// Gives a middle to every side of new faces whose curve bulges by more than `most`; both faces
 /// there find the same point.
 Middles splitEdges(TriangleMesh& mesh, const std::vector<FaceEdge>& edges,
                    const std::vector<std::array<EdgeCurve, 3>>& curves,
                    const std::vector<char>& isNew, double most, bool& any) {
+    const std::vector<size_t> bulging = bulgingEdges(mesh, edges, curves, isNew, most);
     Middles middles(mesh.triangles.size(), {kNone, kNone, kNone});
-    std::vector<std::uint8_t> sides(edges.size()); // of its face, 3: not split
-    tbb::parallel_for(size_t{0}, edges.size(), [&](size_t i) {
-        const glm::uvec3& face = mesh.triangles[edges[i].face];
-        const std::uint32_t start = edges[i].rising ? edges[i].low : edges[i].high;
-        const std::uint8_t k = face.x == start ? 0 : face.y == start ? 1 : 2;
-        sides[i] = curves[edges[i].face][k].bulge() <= most ? 3 : k;
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.resize(first + bulging.size());
+    tbb::parallel_for(size_t{0}, bulging.size(), [&](size_t k) {
+        const size_t begin = bulging[k], end = endOfEdge(edges, begin);
+        const FaceEdge& edge = edges[begin];
+        const std::uint32_t middle = first + static_cast<std::uint32_t>(k);
+        mesh.points[middle] = 0.5 * (mesh.points[edge.low] + mesh.points[edge.high]) +
+                              curves[edge.face][sideOf(mesh, edge)].rise;
+        for (size_t i = begin; i < end; ++i)
+            middles[edges[i].face][sideOf(mesh, edges[i])] = middle;
     });
-    for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-        end = endOfEdge(edges, begin);
-        if (std::none_of(edges.begin() + static_cast<std::ptrdiff_t>(begin),
-                         edges.begin() + static_cast<std::ptrdiff_t>(end),
-                         [&](const FaceEdge& edge) { return isNew[edge.face]; }))
-            continue;
-        std::uint32_t middle = kNone;
-        for (size_t i = begin; i < end && sides[i] < 3; ++i) {
-            const EdgeCurve& curve = curves[edges[i].face][sides[i]];
-            if (middle == kNone) {
-                middle = static_cast<std::uint32_t>(mesh.points.size());
-                const dvec3 x = 0.5 * (mesh.points[edges[i].low] + mesh.points[edges[i].high]);
-                mesh.points.push_back(x + curve.rise);
-                any = true;
-            }
-            middles[edges[i].face][sides[i]] = middle;
-        }
-    }
+    any = !bulging.empty();
     return middles;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
@@ -60,27 +59,28 @@ double squaredDistance(const dvec3& x, const dvec3& a, const dvec3& b, const dve
 }
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh)
-    : mMesh(mesh), mFaces(mesh.triangles.size()), mPlace(mFaces.size()) {
-    std::iota(mFaces.begin(), mFaces.end(), 0u);
-    mCorners.resize(mFaces.size());
-    std::vector<dvec3> centres(mFaces.size());
-    tbb::parallel_for(size_t{0}, mFaces.size(), [&](size_t f) {
-        const glm::uvec3& face = mesh.triangles[f];
-        centres[f] = mesh.points[face.x] + mesh.points[face.y] + mesh.points[face.z];
-    });
+    : mMesh(mesh), mFaces(mesh.triangles.size()), mCorners(mFaces.size()), mPlace(mFaces.size()) {
+    std::vector<Centre> centres(mFaces.size());
     const auto count = static_cast<std::uint32_t>(mFaces.size());
+    tbb::parallel_for(0u, count, [&](std::uint32_t f) {
+        const glm::uvec3& face = mesh.triangles[f];
+        centres[f] = {mesh.points[face.x] + mesh.points[face.y] + mesh.points[face.z], f};
+    });
     mNodes.resize(nodesOf(count));
     if (count > 0) build(0, 0, count, centres);
-    tbb::parallel_for(0u, count, [&](std::uint32_t i) {
-        const glm::uvec3& face = mesh.triangles[mFaces[i]];
-        Corners t{mesh.points[face.x], mesh.points[face.y], mesh.points[face.z], {}, 0};
-        t.middle = (t.a + t.b + t.c) / 3.0;
-        const double squaredRadius =
-            std::max({squared(t.a - t.middle), squared(t.b - t.middle), squared(t.c - t.middle)});
-        t.radius = std::sqrt(squaredRadius) * (1 + 1e-12); // above all rounding
-        mCorners[i] = t;
-        mPlace[mFaces[i]] = i;
-    });
+}
+
+/// Gives a face its place.
+void TriangleTree::put(std::uint32_t f, std::uint32_t place) {
+    const glm::uvec3& face = mMesh.triangles[f];
+    Corners t{mMesh.points[face.x], mMesh.points[face.y], mMesh.points[face.z], {}, 0};
+    t.middle = (t.a + t.b + t.c) / 3.0;
+    const double squaredRadius =
+        std::max({squared(t.a - t.middle), squared(t.b - t.middle), squared(t.c - t.middle)});
+    t.radius = std::sqrt(squaredRadius) * (1 + 1e-12); // above all rounding
+    mCorners[place] = t;
+    mFaces[place] = f;
+    mPlace[f] = place;
 }
 
 /// Of a subtree of so many faces.
@@ -92,24 +92,29 @@ size_t TriangleTree::nodesOf(std::uint32_t count) {
 /// The subtree of some faces, halved at the median of their centres along the longest edge, from
 /// node `self` on.
 void TriangleTree::build(size_t self, std::uint32_t first, std::uint32_t count,
-                         const std::vector<dvec3>& centres) {
+                         std::vector<Centre>& centres) {
     if (count <= kLeaf) {
         Box box;
-        for (std::uint32_t i = first; i < first + count; ++i)
-            for (int k = 0; k < 3; ++k) box.include(mMesh.points[mMesh.triangles[mFaces[i]][k]]);
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            put(centres[i].face, i);
+            for (const dvec3* corner : {&mCorners[i].a, &mCorners[i].b, &mCorners[i].c})
+                box.include(*corner);
+        }
         mNodes[self] = {box, first, count};
         return;
     }
     Box middles;
-    for (std::uint32_t i = first; i < first + count; ++i) middles.include(centres[mFaces[i]]);
+    for (std::uint32_t i = first; i < first + count; ++i) middles.include(centres[i].sum);
     const dvec3 edges = middles.max - middles.min;
-    const int axis = edges.x >= edges.y && edges.x >= edges.z ? 0 : edges.y >= edges.z ? 1 : 2;
+    double dvec3::*const axis = edges.x >= edges.y && edges.x >= edges.z ? &dvec3::x
+                                : edges.y >= edges.z                     ? &dvec3::y
+                                                                         : &dvec3::z;
     const std::uint32_t half = count / 2;
     // By face where centres are equal, so that the order does not depend on the library.
-    std::nth_element(mFaces.begin() + first, mFaces.begin() + first + half,
-                     mFaces.begin() + first + count, [&](std::uint32_t f, std::uint32_t g) {
-                         const double x = centres[f][axis], y = centres[g][axis];
-                         return x != y ? x < y : f < g;
+    std::nth_element(centres.begin() + first, centres.begin() + first + half,
+                     centres.begin() + first + count, [&](const Centre& a, const Centre& b) {
+                         const double x = a.sum.*axis, y = b.sum.*axis;
+                         return x != y ? x < y : a.face < b.face;
                      });
     const size_t left = self + 1, right = left + nodesOf(half);
     const auto buildLeft = [&] { build(left, first, half, centres); };
@@ -183,7 +188,13 @@ TriangleTree::Nearest TriangleTree::nearest(const dvec3& x, double squaredBound,
 }
 
 void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32_t>& faces) const {
-    faces.clear();
+    placesWithin(x, radius, faces);
+    for (std::uint32_t& face : faces) face = mFaces[face];
+}
+
+void TriangleTree::placesWithin(const dvec3& x, double radius,
+                                std::vector<std::uint32_t>& places) const {
+    places.clear();
     walk([&](const Box& box) { return squaredDistanceToBox(x, box) <= radius * radius; },
          [&](std::uint32_t i) {
              // Most are wholly within, or their ball is beyond.
@@ -193,17 +204,17 @@ void TriangleTree::within(const dvec3& x, double radius, std::vector<std::uint32
              if (off > most * most) return;
              if ((least > 0 && off <= least * least) ||
                  squaredDistance(x, t.a, t.b, t.c) <= radius * radius)
-                 faces.push_back(mFaces[i]);
+                 places.push_back(i);
          });
 }
 
-void TriangleTree::overlapping(const Box& box, std::vector<std::uint32_t>& faces) const {
-    faces.clear();
+void TriangleTree::placesTouching(const Box& box, std::vector<std::uint32_t>& places) const {
+    places.clear();
     walk([&](const Box& node) { return node.touches(box); },
          [&](std::uint32_t i) {
              const Corners& t = mCorners[i];
              const Box own{glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)};
-             if (own.touches(box)) faces.push_back(mFaces[i]);
+             if (own.touches(box)) places.push_back(i);
          });
 }
 

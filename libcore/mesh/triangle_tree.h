@@ -38,9 +38,11 @@ public:
 
     /// Replaces `faces` by those that come as near to x as `radius`.
     void within(const glm::dvec3& x, double radius, std::vector<std::uint32_t>& faces) const;
+    /// The same by their places in order().
+    void placesWithin(const glm::dvec3& x, double radius, std::vector<std::uint32_t>& places) const;
 
-    /// Replaces `faces` by those whose own boxes touch the box, in no order.
-    void overlapping(const Box& box, std::vector<std::uint32_t>& faces) const;
+    /// Replaces `places` by those in order() of faces whose own boxes touch the box.
+    void placesTouching(const Box& box, std::vector<std::uint32_t>& places) const;
 
     struct Hit {
         double t; ///< [length of the direction]
@@ -64,9 +66,14 @@ private:
         glm::dvec3 a, b, c, middle;
         double radius; ///< of a ball about the middle that holds them
     };
+    /// A face while its place is looked for.
+    struct Centre {
+        glm::dvec3 sum; ///< of its corners
+        std::uint32_t face;
+    };
     static size_t nodesOf(std::uint32_t count);
-    void build(size_t self, std::uint32_t first, std::uint32_t count,
-               const std::vector<glm::dvec3>& centres);
+    void put(std::uint32_t face, std::uint32_t place);
+    void build(size_t self, std::uint32_t first, std::uint32_t count, std::vector<Centre>& centres);
     template<typename Enter, typename Look> void walk(const Enter& enter, const Look& look) const;
 
     const TriangleMesh& mMesh;

@@ -86,7 +86,9 @@ std::optional<std::string> faultOf(const GridRule* rule, const BrickGrid& grid, 
                                    const ivec3& origin) {
     const bool even = grid.page[brick] < 0;
     const float* values = grid.valuesOf(brick);
-    for (int i = 0; i < (even ? 1 : kBrickVoxels); ++i) {
+    const int count = even ? 1 : kBrickVoxels;
+    if (areValid(rule, values, static_cast<size_t>(count) * grid.components)) return std::nullopt;
+    for (int i = 0; i < count; ++i) {
         std::optional<std::string> wrong;
         for (int c = 0; c < grid.components && !wrong; ++c)
             wrong = fault(rule, values[i * grid.components + c]);

@@ -44,6 +44,10 @@ struct BrickGrid {
     }
     /// The one value of a brick that is even, else its kBrickVoxels values; outside the box too.
     const float* valuesOf(size_t brick) const;
+    /// The values of one of a brick's voxels, x fastest.
+    const float* valuesAt(size_t brick, int voxel) const {
+        return valuesOf(brick) + (page[brick] < 0 ? 0 : voxel * components);
+    }
     /// Whether the box ends within a brick.
     bool isCut(size_t brick) const;
     /// The box's values of row (y, z), x from 0 on, of a grid of one component.

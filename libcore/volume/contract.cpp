@@ -83,22 +83,31 @@ glm::ivec3 voxelAt(const DenseGrid& grid, std::int64_t value) {
             static_cast<int>(voxel / grid.size.x / grid.size.y)};
 }
 
+} // namespace
+
+bool areValid(const GridRule* rule, const float* values, size_t count) {
+    const float least = rule ? rule->least : -std::numeric_limits<float>::max();
+    const float most = rule ? rule->most : std::numeric_limits<float>::max();
+    // The plain range is tested branch-free first; open ends are looked at only on a hit.
+    bool inside = true, onEnd = false;
+    for (size_t i = 0; i < count; ++i) {
+        inside &= values[i] >= least && values[i] <= most;
+        onEnd |= values[i] == least || values[i] == most;
+    }
+    if (!inside || !onEnd || !rule) return inside;
+    return (!rule->leastOpen && !rule->mostOpen) ||
+           std::none_of(values, values + count, [&](float value) { return fault(rule, value); });
+}
+
+namespace {
+
 /// The first value against the rule, as slice-parallel scan; -1 if there is none.
 std::int64_t firstFault(const GridRule* rule, const DenseGrid& grid) {
     const size_t slice = static_cast<size_t>(grid.size.x) * grid.size.y * grid.components;
     std::vector<std::int64_t> found(static_cast<size_t>(grid.size.z), -1);
     tbb::parallel_for(0, grid.size.z, [&](int z) {
         const float* values = grid.values.data() + slice * static_cast<size_t>(z);
-        const float least = rule ? rule->least : -std::numeric_limits<float>::max();
-        const float most = rule ? rule->most : std::numeric_limits<float>::max();
-        // The plain range is tested branch-free first; open ends are looked at only on a hit.
-        bool inside = true, onEnd = false;
-        for (size_t i = 0; i < slice; ++i) {
-            inside &= values[i] >= least && values[i] <= most;
-            onEnd |= values[i] == least || values[i] == most;
-        }
-        const bool open = rule && (rule->leastOpen || rule->mostOpen);
-        if (inside && !(open && onEnd)) return;
+        if (areValid(rule, values, slice)) return;
         for (size_t i = 0; i < slice; ++i)
             if (fault(rule, values[i])) {
                 found[static_cast<size_t>(z)] =

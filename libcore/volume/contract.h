@@ -24,6 +24,9 @@ const GridRule* ruleFor(const std::string& grid);
 /// What is wrong with `value` under the rule ("is -1, expected >= 0"), or nothing.
 std::optional<std::string> fault(const GridRule* rule, float value);
 
+/// Whether all values keep to the rule.
+bool areValid(const GridRule* rule, const float* values, size_t count);
+
 /// The first value of the grid that breaks the rule, in words ("voxel (1, 2, 3) is NaN, expected
 /// > 0"), or nothing. `origin` is the index of the grid's first voxel.
 std::optional<std::string> findFault(const GridRule* rule, const DenseGrid& grid,

@@ -60,14 +60,13 @@ openvdb::FloatGrid::Ptr makeLevelSet(const IndexBox& box, const BrickGrid& value
         const openvdb::Coord low = coordOf(uneven[i]);
         leaves[i] = new Leaf(low, halfWidth, false);
         const glm::ivec3 first = values.voxelOf(uneven[i]);
-        const glm::ivec3 from = glm::max(first, glm::ivec3(0));
-        const glm::ivec3 to = glm::min(first + kBrick, values.size);
-        for (int z = from.z; z < to.z; ++z)
+        const glm::ivec3 from = glm::max(-first, glm::ivec3(0));
+        const glm::ivec3 to = glm::min(values.size - first, glm::ivec3(kBrick));
+        for (int x = from.x; x < to.x; ++x)
             for (int y = from.y; y < to.y; ++y)
-                for (int x = from.x; x < to.x; ++x) {
-                    const float value = values.at({x, y, z});
-                    const openvdb::Index at = Leaf::coordToOffset(
-                        low + openvdb::Coord(x - first.x, y - first.y, z - first.z));
+                for (int z = from.z; z < to.z; ++z) {
+                    const float value = *values.valuesAt(uneven[i], (z * kBrick + y) * kBrick + x);
+                    const openvdb::Index at = Leaf::coordToOffset(openvdb::Coord(x, y, z));
                     if (std::abs(value) < halfWidth)
                         leaves[i]->setValueOn(at, value);
                     else

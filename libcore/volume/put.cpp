@@ -40,11 +40,11 @@ typename GridT::Ptr copyIn(const IndexBox& box, const DenseGrid& in,
     return grid;
 }
 
-template<typename Value> Value valueAt(const BrickGrid& grid, const glm::ivec3& p) {
+template<typename Value> Value valueOf(const float* from) {
     if constexpr (openvdb::VecTraits<Value>::IsVec)
-        return {grid.at(p, 0), grid.at(p, 1), grid.at(p, 2)};
+        return {from[0], from[1], from[2]};
     else
-        return grid.at(p);
+        return *from;
 }
 
 /// A tree of bricks: of what is even, tiles.
@@ -56,12 +56,12 @@ typename GridT::Ptr copyIn(const IndexBox& box, const BrickGrid& in,
     auto grid = GridT::create(background);
     std::vector<size_t> uneven;
     for (size_t brick = 0; brick < in.page.size(); ++brick) {
-        const glm::ivec3 low = in.voxelOf(brick), p = box.min + low;
+        const glm::ivec3 p = box.min + in.voxelOf(brick);
         if (in.page[brick] >= 0 || in.isCut(brick)) {
             uneven.push_back(brick);
             continue;
         }
-        const auto value = valueAt<Value>(in, low);
+        const auto value = valueOf<Value>(in.valuesOf(brick));
         if (allActive || value != background)
             grid->tree().addTile(1, openvdb::Coord(p.x, p.y, p.z), value, true);
     }
@@ -74,7 +74,8 @@ typename GridT::Ptr copyIn(const IndexBox& box, const BrickGrid& in,
         for (int x = from.x; x < to.x; ++x)
             for (int y = from.y; y < to.y; ++y)
                 for (int z = from.z; z < to.z; ++z) {
-                    const auto value = valueAt<Value>(in, first + glm::ivec3(x, y, z));
+                    const auto value =
+                        valueOf<Value>(in.valuesAt(uneven[i], (z * kBrick + y) * kBrick + x));
                     if (allActive || value != background)
                         leaves[i]->setValueOn(Leaf::coordToOffset(openvdb::Coord(x, y, z)), value);
                 }

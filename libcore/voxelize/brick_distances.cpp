@@ -33,17 +33,25 @@ size_t placeOf(const ivec3& offset) {
 
 } // namespace
 
-BoundaryFaces::BoundaryFaces(const mesh::TriangleMesh& boundary)
-    : corners(boundary.triangles.size()), frames(corners.size()) {
+BoundaryFaces::BoundaryFaces(const mesh::TriangleMesh& boundary,
+                             const std::vector<std::uint32_t>& order)
+    : corners(order.size()), frames(order.size()) {
     constexpr double kFlat = 1e-6; // what floats keep of distances
-    if (!boundary.normals.empty()) sides = mesh::edgeCurves(boundary);
-    const auto make = [&](size_t f) {
-        const glm::uvec3& face = boundary.triangles[f];
-        corners[f] = {boundary.points[face.x], boundary.points[face.y], boundary.points[face.z]};
-        frames[f] = FaceFrame(corners[f]);
-        if (sides.empty()) return;
-        const double own = mesh::CurvedFace(corners[f], sides[f]).bulge();
-        if (own >= kFlat) frames[f].bulge = own;
+    std::vector<std::array<mesh::EdgeCurve, 3>> curves;
+    if (!boundary.normals.empty()) {
+        curves = mesh::edgeCurves(boundary);
+        sides.resize(order.size());
+    }
+    const auto make = [&](size_t i) {
+        const glm::uvec3& face = boundary.triangles[order[i]];
+        corners[i] = {boundary.points[face.x], boundary.points[face.y], boundary.points[face.z]};
+        frames[i] = FaceFrame(corners[i]);
+        if (curves.empty()) return;
+        sides[i] = curves[order[i]];
+        const double own = mesh::CurvedFace(corners[i], sides[i]).bulge();
+        if (own < kFlat) return;
+        frames[i].bulge = own;
+        frames[i].bend(sides[i]);
     };
     tbb::parallel_for(size_t{0}, corners.size(), make);
     for (const FaceFrame& frame : frames) bulge = std::max(bulge, frame.bulge);
@@ -71,8 +79,8 @@ void BrickDistances::measureQuarter(const ivec3& offset, const ivec3& size) {
     if (isBeyond(offset, size)) return;
     const vec3 middle = vec3(offset) + (kQuarter - 1) / 2.0f - kMiddle;
     const float distance = std::sqrt(mOfBrick.measureFrom(middle)), toCorner = toCornerOf(kQuarter);
-    if (distance > static_cast<float>(mHalfWidth) + toCorner + mOfBrick.mostSlack()) return;
-    mOfBrick.keepWithin(distance + 2 * toCorner + mOfBrick.mostSlack(), mOfQuarter);
+    if (distance > static_cast<float>(mHalfWidth) + toCorner + mOfBrick.mostOff()) return;
+    mOfBrick.keepWithin(distance + 2 * toCorner + mOfBrick.mostOff(), mOfQuarter);
     mCubes.clear();
     mLists.clear();
     mSquares.clear();
@@ -83,14 +91,14 @@ void BrickDistances::measureQuarter(const ivec3& offset, const ivec3& size) {
     answer();
 }
 
-/// Measures a cube's flat faces.
+/// Measures a cube's faces.
 void BrickDistances::beginCube(const ivec3& offset, const ivec3& size) {
     if (isBeyond(offset, size)) return;
     const vec3 middle = vec3(offset) + 0.5f - kMiddle;
     const float distance = std::sqrt(mOfQuarter.measureFrom(middle)), toCorner = toCornerOf(2),
-                slack = mOfQuarter.mostSlack(), most = static_cast<float>(mHalfWidth) + slack;
+                off = mOfQuarter.mostOff(), most = static_cast<float>(mHalfWidth) + off;
     if (distance > most + toCorner) return;
-    mOfQuarter.listWithin(distance + 2 * toCorner + slack, mList);
+    mOfQuarter.listWithin(distance + 2 * toCorner + off, mList);
     Cube cube{offset, mLists.size(), mList.size(), {}, 0};
     mLists.insert(mLists.end(), mList.begin(), mList.end());
     mSquares.resize(mLists.size());
@@ -102,7 +110,7 @@ void BrickDistances::beginCube(const ivec3& offset, const ivec3& size) {
     if (cube.measured != 0) mCubes.push_back(cube);
 }
 
-/// Asks, for each voxel of a cube, the face whose flat one is nearest.
+/// Asks, for each voxel of a cube, the face whose plate is nearest.
 void BrickDistances::askNearest(const Cube& cube) {
     for (unsigned left = cube.measured; left != 0; left &= left - 1) {
         const auto k = static_cast<unsigned>(std::countr_zero(left));

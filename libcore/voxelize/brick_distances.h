@@ -11,16 +11,17 @@
 
 namespace eikonal::voxelize {
 
-/// What bounds a solid, in index space [voxel].
+/// What bounds a solid, in index space [voxel], by the faces' places in an order: where faces that
+/// lie near each other are side by side, so is what a brick asks for.
 struct BoundaryFaces {
     std::vector<std::array<glm::dvec3, 3>> corners;
     std::vector<std::array<mesh::EdgeCurve, 3>> sides; ///< none: all faces are flat
     std::vector<FaceFrame> frames;
     double bulge = 0; ///< the greatest of the faces'
 
-    explicit BoundaryFaces(const mesh::TriangleMesh& boundary);
+    BoundaryFaces(const mesh::TriangleMesh& boundary, const std::vector<std::uint32_t>& order);
 
-    mesh::CurvedFace curved(std::uint32_t face) const { return {corners[face], sides[face]}; }
+    mesh::CurvedFace curved(std::uint32_t place) const { return {corners[place], sides[place]}; }
 };
 
 /// The nearest of the faces asked so far.

@@ -6,12 +6,19 @@
 #include "volume/bricks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <glm/common.hpp>
+#include <numeric>
+#include <span>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace eikonal::voxelize {
 
 namespace {
+
+using glm::ivec3;
 
 // Triangles per draw: 48 MiB of facets, large enough that a draw's fixed cost does not count.
 constexpr size_t kFacetsPerDraw = size_t{1} << 20;
@@ -27,28 +34,117 @@ int rowsOf(const Lattice& lattice, std::int64_t stripBytes) {
         std::min<std::int64_t>(std::max<std::int64_t>(bricks, 1) * volume::kBrick, lattice.size.y));
 }
 
-/// Sums the changes along a column: how many sub-samples of each voxel lie inside.
-void sumColumn(const std::int32_t* changes, int size, int most, std::uint16_t* counts) {
-    constexpr int kRun = 8; // voxels looked at together
-    int sum = 0;
-    // Shells that overlap count as one solid: inside is where the winding number is not 0.
-    const auto count = [&] { return static_cast<std::uint16_t>(std::clamp(sum, 0, most)); };
-    for (int z = 0; z < size; z += kRun) {
-        const int end = std::min(z + kRun, size);
-        if (end - z == kRun) {
-            std::uint64_t all[kRun / 2];
-            std::memcpy(all, changes + z, sizeof all);
-            if ((all[0] | all[1] | all[2] | all[3]) == 0) {
-                std::fill_n(counts + z, kRun, count());
-                continue;
+/// Sums up a strip's changes along z, eight by eight columns of voxels at a time.
+class Summing {
+public:
+    Summing(const std::int32_t* changes, int most, Counts& counts)
+        : mChanges(changes), mMost(most), mCounts(counts) {}
+
+    void run() {
+        std::vector<Uneven> found(static_cast<size_t>(mCounts.bricks.x) * mCounts.bricks.y);
+        tbb::parallel_for(tbb::blocked_range<size_t>(0, found.size()), [&](const auto& range) {
+            Sums sums;
+            for (size_t i = range.begin(); i < range.end(); ++i) {
+                const auto n = static_cast<int>(i);
+                const ivec3 first(n % mCounts.bricks.x, n / mCounts.bricks.x, 0);
+                sumBefore(first, sums);
+                store(first, sums, found[i]);
             }
-        }
-        for (int i = z; i < end; ++i) {
-            sum += changes[i];
-            counts[i] = count();
+        });
+        for (const Uneven& some : found) {
+            const size_t begin = mCounts.values.size() / volume::kBrickVoxels;
+            for (size_t i = 0; i < some.bricks.size(); ++i)
+                mCounts.page[some.bricks[i]] = static_cast<std::int32_t>(begin + i);
+            mCounts.values.insert(mCounts.values.end(), some.values.begin(), some.values.end());
         }
     }
-}
+
+private:
+    static constexpr int kColumns = volume::kBrick * volume::kBrick;
+    /// Per brick along z.
+    struct Sums {
+        std::vector<std::array<int, kColumns>> before; ///< of each column's changes
+        std::vector<char> changes;                     ///< whether some lie within
+    };
+    struct Uneven {
+        std::vector<size_t> bricks;
+        std::vector<std::uint16_t> values;
+    };
+
+    /// The part of a brick's column of voxels that lies in the strip.
+    std::span<const std::int32_t> columnOf(const ivec3& brick, int x, int y) const {
+        const ivec3 voxel = volume::kBrick * brick + ivec3(x, y, 0);
+        return {mChanges +
+                    (static_cast<size_t>(voxel.y) * mCounts.size.x + voxel.x) * mCounts.size.z +
+                    voxel.z,
+                static_cast<size_t>(std::min(volume::kBrick, mCounts.size.z - voxel.z))};
+    }
+    template<typename Act> void eachColumn(const ivec3& brick, const Act& act) const {
+        const ivec3 edges = glm::min(mCounts.size - volume::kBrick * brick, ivec3(volume::kBrick));
+        for (int y = 0; y < edges.y; ++y)
+            for (int x = 0; x < edges.x; ++x)
+                act(x, y, static_cast<size_t>(volume::kBrick * y + x));
+    }
+    static bool isZero(std::span<const std::int32_t> changes) {
+        if (changes.size() < volume::kBrick)
+            return std::all_of(changes.begin(), changes.end(), [](auto x) { return x == 0; });
+        std::uint64_t all[volume::kBrick / 2];
+        std::memcpy(all, changes.data(), sizeof all);
+        return (all[0] | all[1] | all[2] | all[3]) == 0;
+    }
+
+    void sumBefore(const ivec3& first, Sums& sums) const {
+        const auto deep = static_cast<size_t>(mCounts.bricks.z);
+        sums.before.resize(deep);
+        sums.changes.assign(deep, 0);
+        eachColumn(first, [&](int x, int y, size_t column) {
+            int sum = 0;
+            for (size_t z = 0; z < deep; ++z) {
+                sums.before[z][column] = sum;
+                const auto some = columnOf(first + ivec3(0, 0, z), x, y);
+                if (isZero(some)) continue;
+                sum = std::accumulate(some.begin(), some.end(), sum);
+                sums.changes[z] = 1;
+            }
+        });
+    }
+
+    // Shells that overlap count as one solid: inside is where the winding number is not 0.
+    std::uint16_t countOf(int sum) const {
+        return static_cast<std::uint16_t>(std::clamp(sum, 0, mMost));
+    }
+
+    void store(const ivec3& first, const Sums& sums, Uneven& uneven) {
+        for (int z = 0; z < mCounts.bricks.z; ++z) {
+            const ivec3 brick = first + ivec3(0, 0, z);
+            const auto& before = sums.before[static_cast<size_t>(z)];
+            const std::uint16_t count = countOf(before[0]);
+            bool even = sums.changes[static_cast<size_t>(z)] == 0;
+            eachColumn(brick, [&](int, int, size_t column) {
+                even = even && countOf(before[column]) == count;
+            });
+            if (even) {
+                mCounts.even[mCounts.brickAt(brick)] = count;
+                continue;
+            }
+            uneven.bricks.push_back(mCounts.brickAt(brick));
+            const size_t begin = uneven.values.size();
+            uneven.values.resize(begin + volume::kBrickVoxels);
+            eachColumn(brick, [&](int x, int y, size_t column) {
+                int sum = before[column];
+                size_t at = begin + column;
+                for (const std::int32_t change : columnOf(brick, x, y)) {
+                    uneven.values[at] = countOf(sum += change);
+                    at += kColumns;
+                }
+            });
+        }
+    }
+
+    const std::int32_t* mChanges; ///< z fastest, then x, y
+    int mMost;
+    Counts& mCounts;
+};
 
 } // namespace
 
@@ -61,15 +157,15 @@ std::vector<gpu::Need> coverageNeeds(const Lattice& lattice, std::int64_t stripB
 Coverage::Coverage(gpu::Device& device, const Lattice& lattice, std::int64_t stripBytes)
     : mDevice(device), mLattice(lattice), mRows(rowsOf(lattice, stripBytes)),
       mCrossings(device, "voxelize/crossings.vert.glsl", "voxelize/crossings.frag.glsl", {}),
-      mChanges(device, rowBytes(lattice) * mRows), mParams(device, sizeof(StripParams)) {
+      mChanges(device, rowBytes(lattice) * mRows, gpu::InPlace::yes),
+      mParams(device, sizeof(StripParams)) {
     if (lattice.view() > device.limits().framebuffer)
         throw MemoryError("voxelising draws " + std::to_string(lattice.view()) +
                           " pixels along an edge, the device allows " +
                           std::to_string(device.limits().framebuffer));
 }
 
-void Coverage::count(FacetSource& mesh, int firstRow, int rows,
-                     std::vector<std::uint16_t>& counts) {
+Counts Coverage::count(FacetSource& mesh, int firstRow, int rows) {
     StripParams params{};
     params.size = ivec4(mLattice.size.x, rows, mLattice.size.z, mLattice.supersample);
     params.place = ivec4(firstRow, mLattice.view(), 0, 0);
@@ -89,15 +185,11 @@ void Coverage::count(FacetSource& mesh, int firstRow, int rows,
     }
     gpu::barrier();
     mDevice.check("voxelize");
-    const std::int64_t voxels = std::int64_t{mLattice.size.x} * rows * mLattice.size.z;
-    mDownload.resize(static_cast<size_t>(voxels));
-    mChanges.download(mDownload.data(), voxels * 4);
-    counts.resize(mDownload.size());
-    const auto deep = static_cast<size_t>(mLattice.size.z);
-    tbb::parallel_for(size_t{0}, mDownload.size() / deep, [&](size_t column) {
-        sumColumn(mDownload.data() + column * deep, mLattice.size.z, mLattice.most(),
-                  counts.data() + column * deep);
+    Counts counts(ivec3(mLattice.size.x, rows, mLattice.size.z));
+    mChanges.read([&](const void* changes) {
+        Summing(static_cast<const std::int32_t*>(changes), mLattice.most(), counts).run();
     });
+    return counts;
 }
 
 } // namespace eikonal::voxelize

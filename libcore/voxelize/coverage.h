@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/program.h"
+#include "voxelize/counts.h"
 #include "voxelize/facets.h"
 
 #include <cstdint>
@@ -31,9 +32,9 @@ public:
     int rowsPerStrip() const { return mRows; }
 
     /// The samples inside `mesh`, 0 to S³, of rows [firstRow, firstRow + rows), at most
-    /// rowsPerStrip(): z fastest, then x, y. Shells that overlap count as one solid, but in voxels
+    /// rowsPerStrip(). Shells that overlap count as one solid, but in voxels
     /// where both their surfaces pass up to twice the shared part is counted.
-    void count(FacetSource& mesh, int firstRow, int rows, std::vector<std::uint16_t>& counts);
+    Counts count(FacetSource& mesh, int firstRow, int rows);
 
 private:
     gpu::Device& mDevice;
@@ -41,7 +42,6 @@ private:
     int mRows;
     gpu::Program mCrossings;
     gpu::Buffer mChanges, mFacets, mParams;
-    std::vector<std::int32_t> mDownload;
 };
 
 } // namespace eikonal::voxelize

@@ -13,8 +13,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <optional>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 namespace eikonal::voxelize {
 
@@ -46,7 +48,7 @@ class Band {
 public:
     Band(const mesh::TriangleMesh& boundary, const Sides& sides, const Lattice& lattice,
          double halfWidth)
-        : mTree(boundary), mFaces(boundary), mSides(sides), mSize(lattice.size),
+        : mTree(boundary), mFaces(boundary, mTree.order()), mSides(sides), mSize(lattice.size),
           mHalfWidth(halfWidth), mVoxelSize(lattice.voxelSize),
           mFar(static_cast<float>(halfWidth * lattice.voxelSize)) {
         double sum = 0;
@@ -123,10 +125,10 @@ private:
     /// Those that may be nearest to a voxel of a cube.
     void listFaces(const ivec3& low, int edge, double squared,
                    std::vector<std::uint32_t>& faces) const {
-        mTree.within(middleOf(low, edge),
-                     std::sqrt(squared) + 2 * (toCornerOf(edge) + mFaces.bulge) +
-                         NearestFace::kRounding,
-                     faces);
+        mTree.placesWithin(middleOf(low, edge),
+                           std::sqrt(squared) + 2 * (toCornerOf(edge) + mFaces.bulge) +
+                               NearestFace::kRounding,
+                           faces);
     }
 
     void measureBrick(const Brick& brick, float* values, Work& work) const {
@@ -205,13 +207,16 @@ private:
 volume::BrickGrid signedDistances(const mesh::TriangleMesh& mesh, const Lattice& lattice,
                                   double halfWidth) {
     mesh::TriangleMesh surface = inVoxels(mesh, lattice);
-    const Sides sides(surface, lattice.size);
+    std::optional<Sides> sides;
+    bool oneShell = false;
+    tbb::parallel_invoke([&] { sides.emplace(surface, lattice.size); },
+                         [&] { oneShell = isOneShell(surface); });
     // Columns may miss that shells overlap by less than a voxel.
-    if (sides.overlaps() || !isOneShell(surface)) {
+    if (sides->overlaps() || !oneShell) {
         surface = mesh::solidBoundary(surface, kPiece);
         mesh::mergeIdenticalPoints(surface); // curves need to know which faces share an edge
     }
-    return Band(surface, sides, lattice, halfWidth).measure();
+    return Band(surface, *sides, lattice, halfWidth).measure();
 }
 
 } // namespace eikonal::voxelize

@@ -65,6 +65,11 @@ FacetSource::FacetSource(const mesh::TriangleMesh& mesh, const Lattice& lattice)
         const glm::dvec3 p = (point - lattice.low) * samplesPerUnit;
         mPoints.emplace_back(snapped(p.x), snapped(p.y), p.z);
     }
+    mRows.reserve(mesh.triangles.size());
+    for (const glm::uvec3& face : mesh.triangles) {
+        const auto rows = std::minmax({mPoints[face.x].y, mPoints[face.y].y, mPoints[face.z].y});
+        mRows.push_back({rows.first, rows.second});
+    }
 }
 
 void FacetSource::seek(int firstRow, int rows) {
@@ -76,11 +81,12 @@ void FacetSource::seek(int firstRow, int rows) {
 void FacetSource::next(std::vector<Facet>& facets, size_t count) {
     facets.clear();
     for (; mNext < mMesh.triangles.size() && facets.size() < count; ++mNext) {
+        if (mRows[mNext].high < mFrom || mRows[mNext].low > mTo) continue;
         const glm::uvec3& face = mMesh.triangles[mNext];
         const glm::dvec3 corners[3] = {mPoints[face.x], mPoints[face.y], mPoints[face.z]};
         const glm::dvec3 low = glm::min(corners[0], glm::min(corners[1], corners[2]));
         const glm::dvec3 high = glm::max(corners[0], glm::max(corners[1], corners[2]));
-        if (high.y < mFrom || low.y > mTo || high.x < 0 || low.x > mView) continue;
+        if (high.x < 0 || low.x > mView) continue;
         if (low.x < 0 || low.y < 0 || high.x > mView || high.y > mView)
             addClipped(corners, facets);
         else

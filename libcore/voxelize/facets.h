@@ -26,8 +26,13 @@ private:
     void addFacet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                   std::vector<Facet>& facets) const;
 
+    struct Rows {
+        double low, high;
+    };
+
     const mesh::TriangleMesh& mMesh;
     std::vector<glm::dvec3> mPoints; ///< [sample], from the domain's low corner
+    std::vector<Rows> mRows;         ///< of each triangle, since every strip asks all [sample]
     double mView, mDeepest;          ///< [sample]
     int mSupersample;
     double mFrom = 0, mTo = 0; ///< rows looked for [sample]

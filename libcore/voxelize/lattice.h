@@ -30,7 +30,7 @@ struct Lattice {
 // buffer this large, so that all work in the same strips.
 constexpr std::int64_t kStripBytes = std::int64_t{1} << 27;
 
-/// The same of so many objects: the host has two bytes for each in every voxel of a strip.
+/// The same of so many objects: the host may have two bytes for each in every voxel of a strip.
 constexpr std::int64_t stripBytesFor(size_t objects) {
     return kStripBytes / std::max<std::int64_t>(1, static_cast<std::int64_t>(objects) / 8);
 }

@@ -5,7 +5,6 @@
 #include "base/error.h"
 
 #include <algorithm>
-#include <cstring>
 #include <glm/common.hpp>
 #include <numeric>
 #include <tbb/parallel_for.h>
@@ -15,38 +14,20 @@ namespace eikonal::voxelize {
 /// The counts of a brick's voxels.
 class Mixer::Brick {
 public:
-    /// `first` is its first voxel in a strip of that size.
-    Brick(const Counts& counts, const glm::ivec3& strip, const glm::ivec3& first)
-        : mCounts(counts), mStrip(strip), mFirst(first),
-          mSize(glm::min(strip - first, glm::ivec3(volume::kBrick))) {}
+    Brick(const std::vector<Counts>& counts, const glm::ivec3& brick)
+        : mCounts(counts), mBrick(counts.front().brickAt(brick)),
+          mSize(
+              glm::min(counts.front().size - volume::kBrick * brick, glm::ivec3(volume::kBrick))) {}
 
     const glm::ivec3& size() const { return mSize; }
-    size_t placeOf(int x, int y, int z) const {
-        return (static_cast<size_t>(mFirst.y + y) * mStrip.x + mFirst.x + x) * mStrip.z + mFirst.z +
-               z;
-    }
-    int at(size_t object, size_t place) const { return mCounts[object][place]; }
+    int at(size_t object, size_t voxel) const { return mCounts[object].at(mBrick, voxel); }
     /// Whether an object's count is the same in all of them.
-    bool isEven(size_t object) const {
-        const std::vector<std::uint16_t>& own = mCounts[object];
-        const std::uint16_t value = own[placeOf(0, 0, 0)];
-        const auto bytes = static_cast<size_t>(mSize.z) * sizeof value;
-        std::uint16_t wanted[volume::kBrick];
-        std::fill_n(wanted, volume::kBrick, value);
-        for (int y = 0; y < mSize.y; ++y)
-            for (int x = 0; x < mSize.x; ++x) {
-                const std::uint16_t* column = own.data() + placeOf(x, y, 0);
-                // A number of bytes that the compiler knows is no call.
-                if (mSize.z == volume::kBrick ? std::memcmp(column, wanted, sizeof wanted) != 0
-                                              : std::memcmp(column, wanted, bytes) != 0)
-                    return false;
-            }
-        return true;
-    }
+    bool isEven(size_t object) const { return mCounts[object].isEven(mBrick); }
 
 private:
-    const Counts& mCounts;
-    glm::ivec3 mStrip, mFirst, mSize;
+    const std::vector<Counts>& mCounts;
+    size_t mBrick;
+    glm::ivec3 mSize;
 };
 
 Mixer::Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice& lattice)
@@ -73,9 +54,8 @@ Mixer::Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice
     }
 }
 
-void Mixer::mix(const Counts& counts, int firstRow, int rows) {
-    const glm::ivec3 strip(mSize.x, rows, mSize.z);
-    const glm::ivec3 bricks = (strip + volume::kBrick - 1) / volume::kBrick;
+void Mixer::mix(const std::vector<Counts>& counts, int firstRow) {
+    const glm::ivec3 bricks = counts.front().bricks;
     const int deep = (mSize.y + volume::kBrick - 1) / volume::kBrick;
     std::vector<Slab> slabs(static_cast<size_t>(bricks.y) * bricks.z);
     tbb::parallel_for(size_t{0}, slabs.size(), [&](size_t i) {
@@ -84,7 +64,7 @@ void Mixer::mix(const Counts& counts, int firstRow, int rows) {
         const int y = static_cast<int>(i) % bricks.y, z = static_cast<int>(i) / bricks.y;
         size_t place = (static_cast<size_t>(z) * deep + firstRow / volume::kBrick + y) * bricks.x;
         for (int x = 0; x < bricks.x; ++x, ++place)
-            mixBrick(Brick(counts, strip, volume::kBrick * glm::ivec3(x, y, z)), place, slabs[i]);
+            mixBrick(Brick(counts, glm::ivec3(x, y, z)), place, slabs[i]);
     });
     for (const Slab& slab : slabs) takeIn(slab);
 }
@@ -97,14 +77,14 @@ void Mixer::mixBrick(const Brick& brick, size_t place, Slab& slab) {
     for (size_t k : mOrder) {
         const bool own = brick.isEven(k);
         even = even && own;
-        if (!own || brick.at(k, brick.placeOf(0, 0, 0)) > 0) shares.takers.push_back(k);
+        if (!own || brick.at(k, 0) > 0) shares.takers.push_back(k);
     }
     shares.sorted = shares.takers;
     std::sort(shares.sorted.begin(), shares.sorted.end());
     shares.sorted.push_back(mCovered.size());
     const glm::ivec3 size = brick.size();
     if (even) {
-        tally(brick, brick.placeOf(0, 0, 0), std::int64_t{size.x} * size.y * size.z, shares, slab);
+        tally(brick, 0, std::int64_t{size.x} * size.y * size.z, shares, slab);
         for (size_t g = 0; g < mGrids.size(); ++g) {
             volume::BrickGrid& grid = mGrids[g].bricks;
             store(shares, g, grid.even.data() + place * static_cast<size_t>(grid.components));
@@ -121,9 +101,9 @@ void Mixer::mixBrick(const Brick& brick, size_t place, Slab& slab) {
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
-                tally(brick, brick.placeOf(x, y, z), 1, shares, slab);
                 const auto voxel =
                     static_cast<size_t>((z * volume::kBrick + y) * volume::kBrick + x);
+                tally(brick, voxel, 1, shares, slab);
                 for (size_t g = 0; g < mGrids.size(); ++g)
                     store(shares, g,
                           slab.values[g].data() + begin[g] +

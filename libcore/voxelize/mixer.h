@@ -3,6 +3,7 @@
 #pragma once
 
 #include "volume/volume.h"
+#include "voxelize/counts.h"
 #include "voxelize/grids.h"
 #include "voxelize/lattice.h"
 
@@ -22,9 +23,9 @@ public:
     /// `params` must outlive the mixer.
     Mixer(const Params& params, const std::vector<Grid>& grids, const Lattice& lattice);
 
-    /// `counts` holds per object the samples inside, of rows [firstRow, firstRow + rows), which
-    /// begin with a brick's and end with one's or with the volume's.
-    void mix(const std::vector<std::vector<std::uint16_t>>& counts, int firstRow, int rows);
+    /// `counts` holds per object the samples inside, of rows from `firstRow` on, which begin with a
+    /// brick's and end with one's or with the volume's.
+    void mix(const std::vector<Counts>& counts, int firstRow);
 
     /// Voxels that some object covers, and those that object `k` covers.
     std::int64_t occupied() const { return mOccupied; }
@@ -58,7 +59,6 @@ private:
         std::vector<std::vector<float>> values; ///< of them, per grid
         Shares shares;                          ///< of the voxel at hand
     };
-    using Counts = std::vector<std::vector<std::uint16_t>>;
     class Brick;
     void mixBrick(const Brick& brick, size_t place, Slab& slab);
     void tally(const Brick& brick, size_t voxel, std::int64_t times, Shares& shares,

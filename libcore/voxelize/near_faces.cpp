@@ -71,7 +71,27 @@ FaceFrame::FaceFrame(const std::array<dvec3, 3>& corners) : origin(corners[0]) {
         for (const double number : some) numbers[at++] = static_cast<float>(number);
     };
     put(0, {first.x, first.y, first.z, second.x, second.y, second.z, third.x, third.y, third.z});
-    put(9, {length, bc.x, bc.y, std::hypot(x - length, y), ca.x, ca.y, std::hypot(x, y)});
+    put(9, {length, bc.x, bc.y, std::hypot(x - length, y), ca.x, ca.y, std::hypot(x, y), 0});
+}
+
+void FaceFrame::bend(const std::array<mesh::EdgeCurve, 3>& sides) {
+    const auto axis = [&](size_t k) { return dvec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
+    const dvec3 first = axis(0), second = axis(3), third = axis(6);
+    // What it is off the flat face lies among its control points as a cubic of Bézier's.
+    double low = 0, high = 0;
+    const auto include = [&](const dvec3& off) {
+        const double height = glm::dot(off, third);
+        low = std::min(low, height);
+        high = std::max(high, height);
+        aside = std::max(aside, std::hypot(glm::dot(off, first), glm::dot(off, second)));
+    };
+    for (const auto& [rise, skew] : sides) {
+        include((4.0 * rise + skew) / 3.0);
+        include((4.0 * rise - skew) / 3.0);
+    }
+    include(2.0 / 3 * (sides[0].rise + sides[1].rise + sides[2].rise));
+    origin += low * third;
+    numbers[16] = static_cast<float>(high - low);
 }
 
 /// The arithmetic, with one face for all lanes or one for each.
@@ -105,7 +125,7 @@ struct FaceLanes {
                      third = square(past(alongThird, number(k + 15))) + square(withinThird);
         const Float8 within = mesh::lesser(mesh::lesser(v, withinSecond), withinThird);
         const Float8 aside = mesh::lesser(mesh::lesser(first, second), third);
-        return square(height) + (within >= eight(0) ? eight(0) : aside);
+        return square(past(height, number(k + 16))) + (within >= eight(0) ? eight(0) : aside);
     }
 
     EIKONAL_LANES static void from(const NearFaces::Group* groups, size_t count, const float* x,
@@ -180,11 +200,11 @@ struct FaceLanes {
     }
 };
 
-NearFaces::Group& NearFaces::grow(std::uint32_t face, float slack) {
+NearFaces::Group& NearFaces::grow(std::uint32_t face, float slack, float thickness) {
     const size_t group = mFaces.size() / 8;
     if (group == mGroups.size()) mGroups.emplace_back();
     mFaces.push_back(face);
-    mMostSlack = std::max(mMostSlack, slack);
+    mMostOff = std::max(mMostOff, slack + thickness);
     return mGroups[group];
 }
 
@@ -205,14 +225,14 @@ void NearFaces::assign(const std::vector<std::uint32_t>& faces,
     // of a face and of voxels up to a brick away.
     constexpr double kRounding = 4e-6, kAway = 8;
     mFaces.clear();
-    mMostSlack = 0;
+    mMostOff = 0;
     for (const std::uint32_t face : faces) {
         const FaceFrame& frame = frames[face];
         const dvec3 off = frame.origin - place;
         const double size = glm::length(off) + static_cast<double>(frame.longest()) + kAway;
-        const auto slack = static_cast<float>(frame.bulge + kRounding * size);
+        const auto slack = static_cast<float>(frame.aside + kRounding * size);
         const size_t lane = mFaces.size() % 8;
-        Group& group = grow(face, slack);
+        Group& group = grow(face, slack, frame.thickness());
         for (int k = 0; k < 3; ++k) group.numbers[k].at[lane] = static_cast<float>(off[k]);
         for (size_t k = 0; k < frame.numbers.size(); ++k)
             group.numbers[kAxes + k].at[lane] = frame.numbers[k];
@@ -241,11 +261,11 @@ template<typename Act> void NearFaces::forEachWithin(float reach, const Act& act
 
 void NearFaces::keepWithin(float reach, NearFaces& near) const {
     near.mFaces.clear();
-    near.mMostSlack = 0;
+    near.mMostOff = 0;
     forEachWithin(reach, [&](size_t i) {
         const size_t lane = near.size() % 8;
-        Group& to = near.grow(mFaces[i], slack(i));
         const Group& from = mGroups[i / 8];
+        Group& to = near.grow(mFaces[i], slack(i), from.numbers[kThickness].at[i % 8]);
         for (int k = 0; k < kNumbers; ++k) to.numbers[k].at[lane] = from.numbers[k].at[i % 8];
     });
     near.seal();

@@ -37,15 +37,15 @@ void fill(gpu::Device& device, const Params& params, const Plan& plan, Mixer& mi
     for (const Object& object : params.objects) sources.emplace_back(object.mesh, plan.lattice);
     profiler.end();
     const int rows = plan.lattice.size.y;
-    std::vector<std::vector<std::uint16_t>> counts(sources.size());
+    std::vector<Counts> counts(sources.size());
     for (int row = 0; row < rows; row += coverage.rowsPerStrip()) {
         const int some = std::min(coverage.rowsPerStrip(), rows - row);
         profiler.begin("voxelize");
         for (size_t k = 0; k < sources.size(); ++k)
-            coverage.count(sources[k], row, some, counts[k]);
+            counts[k] = coverage.count(sources[k], row, some);
         profiler.end();
         HostPass pass(stats, "materials");
-        mixer.mix(counts, row, some);
+        mixer.mix(counts, row);
         report(progress, 0.7 * (row + some) / rows);
     }
     profiler.collect();

@@ -30,15 +30,19 @@ inline std::vector<std::uint16_t> countsOf(const mesh::TriangleMesh& mesh, const
     Coverage coverage(testDevice(), lattice, stripBytes);
     FacetSource source(mesh, lattice);
     const glm::ivec3 size = lattice.size;
-    std::vector<std::uint16_t> all(static_cast<size_t>(size.x) * size.y * size.z), strip;
+    std::vector<std::uint16_t> all(static_cast<size_t>(size.x) * size.y * size.z);
     for (int row = 0; row < size.y; row += coverage.rowsPerStrip()) {
         const int rows = std::min(coverage.rowsPerStrip(), size.y - row);
-        coverage.count(source, row, rows, strip);
-        size_t i = 0;
-        for (int y = row; y < row + rows; ++y)
-            for (int x = 0; x < size.x; ++x)
-                for (int z = 0; z < size.z; ++z)
-                    all[(static_cast<size_t>(z) * size.y + y) * size.x + x] = strip[i++];
+        const Counts strip = coverage.count(source, row, rows);
+        for (int z = 0; z < size.z; ++z)
+            for (int y = 0; y < rows; ++y)
+                for (int x = 0; x < size.x; ++x) {
+                    const size_t brick = strip.brickAt(glm::ivec3(x, y, z) / volume::kBrick);
+                    const glm::ivec3 p = glm::ivec3(x, y, z) % volume::kBrick;
+                    all[(static_cast<size_t>(z) * size.y + row + y) * size.x + x] = strip.at(
+                        brick,
+                        static_cast<size_t>((p.z * volume::kBrick + p.y) * volume::kBrick + p.x));
+                }
     }
     return all;
 }

@@ -1,4 +1,4 @@
-eikonal_test(test_voxelize SOURCES voxelize/coverage_test.cpp voxelize/distances_test.cpp voxelize/curve_test.cpp
+eikonal_test(test_voxelize SOURCES voxelize/coverage_test.cpp voxelize/distances_test.cpp voxelize/near_faces_test.cpp voxelize/curve_test.cpp
                                    voxelize/scene_test.cpp voxelize/accept_test.cpp voxelize/sheet_test.cpp
                             LIBRARIES test_support LONG "Distances.OfAScanned*")
 # For the structs that facets share with the shaders.
