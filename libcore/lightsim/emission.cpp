@@ -30,6 +30,9 @@ constexpr std::int64_t kMostPhotons = 1 << 24;
 // Edge of the tiles of a map that are aimed at or not [pixel].
 constexpr int kTile = 16;
 
+// A lamp so far off the domain is next to it [voxel].
+constexpr double kNextTo = 2;
+
 /// The interleaved parts of a window, none of more than kBatchPixels.
 std::vector<Part> interleaved(const Window& window, unsigned number) {
     const double pixels = static_cast<double>(window.pixels.x) * window.pixels.y;
@@ -131,7 +134,8 @@ std::vector<Part> Emission::partsOf(const std::vector<Source>& sources, const Pa
         for (const Window& window : lightsim::windowsOf(sources[k], mTarget, mDomain, detail, shift,
                                                         !params.proxy.empty())) {
             std::shared_ptr<const AimedMap> map;
-            if (aims && !window.startsAtLight)
+            // Voxels next to a lamp see it at all angles.
+            if (aims && !(window.point && mDomain.contains(window.origin, kNextTo)))
                 map = std::make_shared<AimedMap>(mAims.mapOf(window, kTile));
             for (Part& part : interleaved(window, k)) {
                 part.aimed = map;

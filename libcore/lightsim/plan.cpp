@@ -110,11 +110,13 @@ void listEffects(Plan& plan, const Params& params) {
         irradiance.why += ", by " + edge + " x " + edge + " x " + edge + " fine voxels a voxel";
     }
     add(irradiance);
+    const bool aimed =
+        plan.isPlainBetween() && params.proxy.empty() && (plan.surfaces.empty() || plan.beams);
     add({"photons", plan.photons,
          plan.photons     ? !plan.receivesInVolume() ? "irradiance is made of them"
-                            : plan.isPlainBetween()
-                                ? "fluence is made of them, of light that meets something"
-                                : "fluence is made of them"
+                            : aimed ? "fluence is made of them, but of one sun's or lamp's light that "
+                                      "meets nothing"
+                                    : "fluence is made of them"
          : plan.wavefront ? "--method wavefront"
                           : "no volume receives light"});
     const bool rough = plan.scene.anyRough() && !plan.surfaces.empty();

@@ -52,8 +52,8 @@ int cellsAlong(vec3 place[9], float weight[9], int step, int row, float longest,
     return clamp(int(ceil(max(wanted, extent / longest))), 1, kMostCells);
 }
 
-// How many places light is laid down at where its wavelengths land at other ones than their middle's: so many that
-// they are a fine voxel apart, a power of two, told by its exponent.
+// How many places light is laid down at where its wavelengths land at other ones than their middle's: a power of two,
+// told by its exponent, so that they are a fine voxel apart in the mean, if as many as may be allow it.
 int shiftsOf(BeamNode node) {
 #if DISPERSION == 1
     float widest = 0.0;
@@ -63,7 +63,8 @@ int shiftsOf(BeamNode node) {
         BeamPoint there = shifted[pointOf(node, i)];
         if (landTogether(point, there)) widest = max(widest, distance(point.place.xyz, there.place.xyz));
     }
-    return clamp(int(ceil(log2(2.0 * widest * float(params.size.w)))), 0, int(log2(float(kMostShifts))));
+    float places = (1.0 - params.shifts[0].x) * widest * float(params.size.w);
+    return min(int(ceil(log2(max(places, 1.0)))), findMSB(kMostShifts));
 #else
     return 0;
 #endif

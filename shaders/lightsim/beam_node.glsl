@@ -16,14 +16,17 @@ ivec2 placeFrom(int word) {
     return ivec2(word & 0xFFFF, word >> 16);
 }
 
-// Whether the light of a point, and that of another wavelength beside it, fall on the same surface.
+// Whether the light of a point, and that of another wavelength beside it, fall on the same surface, which is nearly
+// flat between them.
 bool landTogether(BeamPoint point, BeamPoint there) {
-    return point.event.x == uint(kStopped) && there.event.xy == point.event.xy;
+    const float kFlat = 0.99; // cosine between normals
+    return point.event.x == uint(kStopped) && there.event.xy == point.event.xy &&
+           dot(point.wave.xyz, there.wave.xyz) > kFlat;
 }
 
 // A part of a beam in one word: which of so many, up to 16 along each side, at which of 2^shifts places.
-uint packedPart(ivec2 cell, ivec2 count, int shift, int shifts) {
-    return uint(cell.x | cell.y << 4 | count.x - 1 << 8 | count.y - 1 << 12 | shift << 16 | shifts << 24);
+uint packedPart(ivec2 cell, ivec2 count, int step, int shifts) {
+    return uint(cell.x | cell.y << 4 | count.x - 1 << 8 | count.y - 1 << 12 | step << 16 | shifts << 24);
 }
 
 // A point's share of a cell (Simpson's rule).

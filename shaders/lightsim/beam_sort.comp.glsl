@@ -111,7 +111,8 @@ bool isReceived(vec3 low, vec3 high) {
 float reachOf(uint id) {
 #if CULLS == 1 && DISPERSION == 1
     BeamPoint there = shifted[id];
-    if (landTogether(points[id], there)) return 1.0 + distance(points[id].place.xyz, there.place.xyz);
+    if (landTogether(points[id], there))
+        return 1.0 + max(1.0, -params.shifts[0].x) * distance(points[id].place.xyz, there.place.xyz);
 #endif
     return 1.0;
 }

@@ -111,7 +111,8 @@ float plainShare(vec3 x, vec2 low, vec2 high) {
         at.x += stride.x;
         if (at.x >= count.x) at = ivec2(0, at.y + stride.y);
     }
-    return all > 0.0 ? plain / all : 0.5;
+    // Of photons further apart than voxels are wide none may go through it.
+    return all > 0.0 ? plain / all : isPlain(0.5 * (low + high)) ? 1.0 : 0.0;
 }
 
 void give(ivec3 texel, int plane, float amount) {

@@ -70,13 +70,13 @@ const int kAimsBuffer = 6;     // of each tile of the photon map, not 0 if photo
 const int kObjectsBuffer = 10; // of many objects: those that each photon is in
 const int kEnergyBuffer = 2;   // energy.comp: what each work item summed up
 const int kCornersBuffer = 0;  // map.vert: of the triangles that photons start on [voxel]
-const int kBrickListBuffer = 0; // resolve.comp, smooth.comp: the bricks that receive
+const int kBrickListBuffer = 0; // smooth.comp, plain.comp: the bricks that receive
 
 // lightsim, beams and surfaces: a texture and storage buffers.
 const int kOpacityFieldUnit = 6;     // of blurred media
 const int kPointsBuffer = 0;         // BeamPoint
 const int kParentsBuffer = 1;        // those of the generation before
-const int kShiftedBuffer = 1;        // beam_cut.comp, beam_deposit.comp: BeamPoint, of another wavelength
+const int kShiftedBuffer = 1;        // beam_sort.comp, beam_cut.comp, beam_deposit.comp: BeamPoint, of another wavelength
 const int kBranchesBuffer = 2;       // of points at an interface, bits: the branches that they go on by
 const int kNodesBuffer = 3;          // BeamNode
 const int kBeamsBuffer = 4;          // nodes to be laid down

@@ -43,7 +43,8 @@ struct ResolveParams {
     ivec4 bricks; // the domain's bricks along x, y, z; w: as PhotonParams::bricks
     ivec4 atlas;  // the atlases' bricks along x, y, z
     ivec4 apart;  // x: as PhotonParams::bricks.z; y: the same of the atlas of totals, z: of one plane
-    vec4 fluence; // per channel: fluence of one unit of fixed point [W/m²]
+    vec4 fluence; // per channel: fluence of one unit of fixed point [W/m²]; plain.comp: the source's
+                  // irradiance, or intensity over the square of a voxel's edge [W/m²]
     vec4 colour;  // as PhotonParams::colour; w: direction, per unit of fixed point [W/m²]
 };
 
@@ -66,5 +67,5 @@ struct EnergySum {
     vec4 escaped;
     vec4 dropped; // mean of rgb, of photons that: x: met too many interfaces, y: used up their steps,
                   // z: were left when few were, w: had become dim
-    uvec4 count;  // photons, steps, deposits, trapped
+    uvec4 count;  // photons traced, steps, deposits, trapped
 };

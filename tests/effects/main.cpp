@@ -27,7 +27,7 @@ void countInstructions(const std::string& path, const std::string& work) {
 
 int main(int argc, char** argv) {
     effects::Scale scale;
-    std::string json, page, work, instructions;
+    std::string json, page, work, instructions, only;
     int rounds = 6; // prices are told to a tenth
     bool again = false;
     CLI::App app("Prices every effect.", "effects");
@@ -37,6 +37,9 @@ int main(int argc, char** argv) {
     app.add_option("--rounds", rounds, "of every scene");
     app.add_option("--voxels", scale.voxels, "along an edge");
     app.add_flag("--again", again, "write the page anew from the results there are");
+    app.add_option("--only", only,
+                   "measure this family anew, as \"beams\", of the results there are")
+        ->excludes("--again");
     app.add_option("--instructions", instructions, "count them into this file, and no more")
         ->excludes("--json");
     CLI11_PARSE(app, argc, argv);
@@ -47,10 +50,9 @@ int main(int argc, char** argv) {
             return 0;
         }
         effects::Json results;
-        if (again) {
-            std::ifstream(json) >> results;
-        } else {
-            results = effects::measure(scale, rounds, work);
+        if (again || !only.empty()) std::ifstream(json) >> results;
+        if (!again) {
+            effects::measure(results, only, scale, rounds, work);
             std::ofstream(json) << results.dump(2) << "\n";
         }
         const std::string text = effects::pageOf(results);

@@ -3,6 +3,7 @@
 #include "report.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 
 namespace effects {
@@ -99,8 +100,11 @@ Json measurePrices(const std::vector<Case>& cases, int rounds, const std::string
 
 } // namespace
 
-Json measure(const Scale& scale, int rounds, const std::string& work) {
-    Json results;
+void measure(Json& results, const std::string& only, const Scale& scale, int rounds,
+             const std::string& work) {
+    const auto isMeant = [&](Family family) { return only.empty() || nameOf(family) == only; };
+    if (std::none_of(std::begin(kFamilies), std::end(kFamilies), isMeant))
+        throw std::runtime_error("found family '" + only + "', there is none");
     {
         const gpu::Device device(gpu::DeviceChoice{});
         results["device"] = device.info().renderer;
@@ -113,8 +117,8 @@ Json measure(const Scale& scale, int rounds, const std::string& work) {
     results["photons"] = scale.photons;
     results["rounds"] = rounds;
     for (const Family family : kFamilies)
-        results["prices"][nameOf(family)] = measurePrices(casesOf(family, scale), rounds, work);
-    return results;
+        if (isMeant(family))
+            results["prices"][nameOf(family)] = measurePrices(casesOf(family, scale), rounds, work);
 }
 
 } // namespace effects

@@ -10,8 +10,10 @@ namespace effects {
 
 using Json = nlohmann::ordered_json;
 
-/// Files are made in `work`.
-Json measure(const Scale& scale, int rounds, const std::string& work);
+/// Measures the family of that name, or all if it is empty, into `results`. Files are made in
+/// `work`. Throws std::runtime_error if there is no such family.
+void measure(Json& results, const std::string& only, const Scale& scale, int rounds,
+             const std::string& work);
 std::string pageOf(const Json& results);
 
 } // namespace effects

@@ -159,6 +159,28 @@ TEST(LightDispersion, EightPartsMakeTheRainbowOfManyLines) {
     EXPECT_LT(offBetween(profile(Method::automatic, 8), many), 0.1 * plain);
 }
 
+TEST(LightDispersion, PointsGetAllOfTheirParts) {
+    // Two parts of the spectrum: much of their light lands bricks away from their middles'.
+    const volume::Volume scene = slitOverGlass(20 * kStrong);
+    Params params = ontoFloor(Method::beams, {2, {}});
+    const Lit all(scene, params);
+    const std::vector<dvec3> columns = profileOf(all);
+    const glm::dmat4 worldFromVoxel = glm::inverse(all.plan.scene.voxelFromWorld());
+    params.points.width = 1;
+    params.points.normals = {all.plan.scene.worldFromVoxelTurn() * dvec3(0, 1, 0)};
+    double most = 0;
+    for (const dvec3& column : columns) most = std::max(most, glm::length(column / 32.0));
+    EXPECT_GT(most, 0.1);
+    for (int x = 4; x < 44; x += 2) {
+        params.points.places = {
+            dvec3(worldFromVoxel * glm::dvec4(x - 0.375, kFloor - 0.5, 4.625, 1))};
+        const dvec3 found(Lit(scene, params).result.points.at(0).at(0).irradiance);
+        // The floor is between two layers of fine voxels, of which the column has 16 each along z.
+        const dvec3 wanted = columns[static_cast<size_t>(4 * x)] / 32.0;
+        EXPECT_LT(glm::distance(found, wanted), 0.03 * most) << x;
+    }
+}
+
 TEST(LightDispersion, WhiteAddsUpAgain) {
     const auto profile = [](double dispersion, Method method) {
         const Lit lit(slitOverGlass(dispersion), ontoFloor(method, {8, {}}));

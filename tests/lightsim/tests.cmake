@@ -18,7 +18,7 @@ eikonal_test(test_lightsim SOURCES lightsim/vacuum_test.cpp lightsim/medium_test
                                           "LightFronts.ASharpBalls*" "LightFronts.ABlurredBalls*"
                                           "LightFronts.ASecondRun*" "LightFronts.Surfaces*"
                                           "LightFronts.AnOpaque*" "LightPoints.GetWhat*"
-                                          "LightDispersion.EightParts*" "LightDispersion.LinesLand*"
+                                          "LightDispersion.EightParts*" "LightDispersion.PointsGet*" "LightDispersion.LinesLand*"
                                           "LightMetal.ACylinders*" "LightRough.ARough*"
                                           "LightRough.PhotonsTake*" "LightCoat.ItsBases*" "LightPoints.OfLightsApart*" "LightDispersion.White*"
                                           "Lights.ARect*" "LightSurfaces.TheSameRun*"

@@ -159,7 +159,7 @@ TEST_F(VolumeTest, TheSameContentGivesTheSameBytes) {
 // Its leaves are compressed by several threads, some thousands at a time.
 TEST_F(VolumeTest, ALargeGridIsWrittenAsOpenVdbWritesIt) {
     const IndexBox box{glm::ivec3(0), glm::ivec3(135)}; // 17³ leaves
-    Volume volume;
+    Volume volume(turnedFrame());
     volume.put("ior", box, numbered(box, 1), {.background = glm::vec3(1)});
     write(volume, "ours.vdb");
     vdb("theirs.vdb", {gridIn("ours.vdb", "ior")});
