@@ -4,13 +4,12 @@
 // Of one source, where its map is not aimed at; photons bring the rest.
 #include "lib/attenuation.glsl"
 #include "lib/box.glsl"
-#include "lightsim/atlas.glsl"
 #include "lightsim/spread.glsl"
+#include "lightsim/totals.glsl"
 
 layout(std140, binding = kEmissionBlock) uniform Emission { EmissionParams emission; };
 layout(std430, binding = kBrickListBuffer) readonly buffer BrickList { uint list[]; };
 layout(std430, binding = kAimsBuffer) readonly buffer Aims { uint aims[]; };
-layout(r32f, binding = kTotalsImage) uniform image3D totals;
 
 const int kLines = 32; // that go through a voxel of which photons bring a part, along an edge of the map, at most
 
@@ -113,11 +112,6 @@ float plainShare(vec3 x, vec2 low, vec2 high) {
     }
     // Of photons further apart than voxels are wide none may go through it.
     return all > 0.0 ? plain / all : isPlain(0.5 * (low + high)) ? 1.0 : 0.0;
-}
-
-void give(ivec3 texel, int plane, float amount) {
-    ivec3 at = texel + planeAt(plane);
-    imageStore(totals, at, vec4(imageLoad(totals, at).x + amount));
 }
 
 void main() {

@@ -1,13 +1,12 @@
 // Fixed-point sums to floats: one batch of one light, added to what was there before.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lightsim/atlas.glsl"
+#include "lightsim/totals.glsl"
 
 #if !defined(CHANNELS)
 #error CHANNELS must be 1 or 3
 #endif
 const bool kColour = CHANNELS == 3;
 layout(r32ui, binding = kPlanesImage) uniform uimage3D sums;
-layout(r32f, binding = kTotalsImage) uniform image3D totals;
 
 // Of the plane that begins there.
 float taken(ivec3 texel, int plane) {
@@ -15,11 +14,6 @@ float taken(ivec3 texel, int plane) {
     uint sum = imageLoad(sums, at).x;
     imageStore(sums, at, uvec4(0u));
     return float(sum);
-}
-
-void give(ivec3 texel, int plane, float amount) {
-    ivec3 at = texel + planeAt(plane);
-    imageStore(totals, at, vec4(imageLoad(totals, at).x + amount));
 }
 
 void main() {

@@ -313,14 +313,19 @@ lightsim::Params photonParams(const Scale& scale) {
     return params;
 }
 
-Case photonCase(const std::string& name, const Effects& effects, volume::Volume made,
-                const lightsim::Params& params) {
+/// Its time is that of photons, or of beams' points, of what becomes of cells, and of laying them
+/// down.
+Case lightCase(const std::string& name, const Effects& effects, volume::Volume made,
+               const lightsim::Params& params) {
     const auto volume = std::make_shared<volume::Volume>(std::move(made));
     const auto plan = std::make_shared<lightsim::Plan>(lightsim::makePlan(*volume, params));
     return {name, effects, false, [=](gpu::Device& device) {
                 Stats stats;
                 lightsim::simulate(device, *plan, params, stats, {});
-                return Outcome{passMs(stats, "photons"), stats.counter("steps")};
+                double ms = 0;
+                for (const char* pass : {"photons", "beam rays", "beam cells", "beams"})
+                    ms += passMs(stats, pass);
+                return Outcome{ms, stats.counter("steps") + stats.counter("beam_points")};
             }};
 }
 
@@ -329,20 +334,6 @@ lightsim::Params beamParams(const Scale& scale) {
     params.outputs = lightsim::Output::irradiance;
     params.method = lightsim::Method::beams;
     return params;
-}
-
-/// Its time is that of beams' points, of what becomes of cells, and of laying them down.
-Case beamCase(const std::string& name, const Effects& effects, volume::Volume made,
-              const lightsim::Params& params) {
-    const auto volume = std::make_shared<volume::Volume>(std::move(made));
-    const auto plan = std::make_shared<lightsim::Plan>(lightsim::makePlan(*volume, params));
-    return {name, effects, false, [=](gpu::Device& device) {
-                Stats stats;
-                lightsim::simulate(device, *plan, params, stats, {});
-                return Outcome{passMs(stats, "beam rays") + passMs(stats, "beam cells") +
-                                   passMs(stats, "beams"),
-                               stats.counter("beam_points")};
-            }};
 }
 
 lightsim::Params withDirection(lightsim::Params params) {
@@ -488,7 +479,7 @@ std::vector<Case> photonCases(const Scale& scale) {
     std::vector<Case> cases;
     const auto add = [&](const char* name, Effects effects, const Fill& more) {
         effects.push_back("refraction");
-        cases.push_back(photonCase(name, effects, volumeOf(scale, true, more), params));
+        cases.push_back(lightCase(name, effects, volumeOf(scale, true, more), params));
     };
     add("refraction alone", {}, {});
     add("absorption, grey", {"medium"}, fill("absorption", 3, kGrey));
@@ -498,19 +489,19 @@ std::vector<Case> photonCases(const Scale& scale) {
     add("absorption, dense", {"medium"}, [=](SceneVolume& scene) {
         scene.add("absorption", 3, [=](dvec3 p) { return kGrey + inCorner(p) * depth; });
     });
-    cases.push_back(photonCase("direction", {"refraction", "direction"}, volumeOf(scale, true, {}),
-                               withDirection(params)));
+    cases.push_back(lightCase("direction", {"refraction", "direction"}, volumeOf(scale, true, {}),
+                              withDirection(params)));
     add("dispersion", {"dispersion"}, fill("dispersion", 1, kCauchy));
     add("opaque surface", {"opaque surface"},
         [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); });
-    cases.push_back(photonCase(
+    cases.push_back(lightCase(
         "opaque surface, lit", {"refraction", "opaque surface", "lit surface"},
         volumeOf(scale, true, [](SceneVolume& scene) { scene.add("opacity", 1, inCorner); }),
         withSurfaces(params)));
     addTracing(cases, [&](const char* name, const optics::Tracing& tracing) {
         lightsim::Params changed = params;
         changed.tracing = tracing;
-        return photonCase(name, {"refraction"}, volumeOf(scale, true, {}), changed);
+        return lightCase(name, {"refraction"}, volumeOf(scale, true, {}), changed);
     });
     return cases;
 }
@@ -519,7 +510,7 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
     const lightsim::Params params = photonParams(scale);
     std::vector<Case> cases;
     const auto add = [&](const char* name, const Effects& effects, const Fill& more) {
-        cases.push_back(photonCase(name, effects, glassOf(scale, more), params));
+        cases.push_back(lightCase(name, effects, glassOf(scale, more), params));
     };
     add("refraction alone", {}, {});
     add("absorption, grey", {}, fill("absorption", 3, kGrey));
@@ -530,20 +521,19 @@ std::vector<Case> sharpPhotonCases(const Scale& scale) {
     add("a crystal", {"crystals"}, crystallise);
     add("a crystal that varies", {"crystals", "crystals that vary"}, crystalliseTurning);
     cases.push_back(
-        photonCase("direction", {"direction"}, glassOf(scale, {}), withDirection(params)));
+        lightCase("direction", {"direction"}, glassOf(scale, {}), withDirection(params)));
     cases.push_back(
-        photonCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
-    cases.push_back(photonCase("a second object, opaque", {"several objects"},
-                               glassBeside(scale, opaqueOther), params));
-    cases.push_back(photonCase("a second object, opaque and lit",
-                               {"several objects", "lit surface"}, glassBeside(scale, opaqueOther),
-                               withSurfaces(params)));
-    cases.push_back(photonCase("eight objects", {"several objects", "many objects"},
-                               glassInCrowd(scale), params));
+        lightCase("a second object", {"several objects"}, glassBeside(scale, {}), params));
+    cases.push_back(lightCase("a second object, opaque", {"several objects"},
+                              glassBeside(scale, opaqueOther), params));
+    cases.push_back(lightCase("a second object, opaque and lit", {"several objects", "lit surface"},
+                              glassBeside(scale, opaqueOther), withSurfaces(params)));
+    cases.push_back(lightCase("eight objects", {"several objects", "many objects"},
+                              glassInCrowd(scale), params));
     const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {
         lightsim::Params changed = params;
         changed.tracing = tracing;
-        return photonCase(name, {"index that varies"}, glassOf(scale, gradeIndex), changed);
+        return lightCase(name, {"index that varies"}, glassOf(scale, gradeIndex), changed);
     };
     cases.push_back(addTraced("Verlet, linear", {}));
     cases.back().isTracing = true;
@@ -555,7 +545,7 @@ std::vector<Case> beamCases(const Scale& scale) {
     const lightsim::Params params = beamParams(scale);
     std::vector<Case> cases;
     const auto add = [&](const char* name, const Effects& effects, const Fill& more) {
-        cases.push_back(beamCase(name, effects, glassOverFloor(scale, more), params));
+        cases.push_back(lightCase(name, effects, glassOverFloor(scale, more), params));
     };
     add("refraction alone", {}, {});
     add("absorption, grey", {}, fill("absorption", 3, kGrey));
@@ -566,12 +556,12 @@ std::vector<Case> beamCases(const Scale& scale) {
     add("a crystal that varies", {"crystals", "crystals that vary"}, crystalliseTurning);
     lightsim::Params faded = params;
     faded.lights = {lightsim::parseLight("spot:0,5,0:0,-1,0:30:10")};
-    cases.push_back(beamCase("a spot", {}, glassOverFloor(scale, {}), faded));
+    cases.push_back(lightCase("a spot", {}, glassOverFloor(scale, {}), faded));
     add("eight objects", {"many objects"}, crowd);
     const auto addTraced = [&](const char* name, const optics::Tracing& tracing) {
         lightsim::Params changed = params;
         changed.tracing = tracing;
-        return beamCase(name, {"index that varies"}, glassOverFloor(scale, gradeIndex), changed);
+        return lightCase(name, {"index that varies"}, glassOverFloor(scale, gradeIndex), changed);
     };
     cases.push_back(addTraced("Verlet, linear", {}));
     cases.back().isTracing = true;
@@ -617,7 +607,7 @@ std::vector<Case> casesAndStraight(Family family, const Scale& scale) {
             viewCase("absorption alone", {"medium"}, std::move(volume), viewParams(scale)));
     if (family == Family::photons)
         cases.push_back(
-            photonCase("absorption alone", {"medium"}, std::move(volume), photonParams(scale)));
+            lightCase("absorption alone", {"medium"}, std::move(volume), photonParams(scale)));
     return cases;
 }
 
@@ -628,10 +618,10 @@ Case emptyGridsCase(Family family, const Scale& scale) {
         for (const char* grid : {"anisotropy", "opacity"}) scene.constant(grid, 1, dvec3(0));
     };
     if (family == Family::beams)
-        return beamCase("empty grids", {}, glassOverFloor(scale, zeros), beamParams(scale));
+        return lightCase("empty grids", {}, glassOverFloor(scale, zeros), beamParams(scale));
     volume::Volume volume = isSharp(family) ? glassOf(scale, zeros) : volumeOf(scale, true, zeros);
     return isView(family) ? viewCase("empty grids", {}, std::move(volume), viewParams(scale))
-                          : photonCase("empty grids", {}, std::move(volume), photonParams(scale));
+                          : lightCase("empty grids", {}, std::move(volume), photonParams(scale));
 }
 
 } // namespace effects
